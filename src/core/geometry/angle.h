@@ -1,0 +1,58 @@
+// Angle: a plane angle that cannot be given in the wrong unit. Construct it by naming the unit and
+// read it by naming the unit; arithmetic keeps it an angle. Spindle positions count many turns, so
+// an Angle is never wrapped unless asked.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cmath>
+
+namespace patchmill {
+
+constexpr double kPi = 3.14159265358979323846;
+
+class Angle {
+ public:
+  constexpr Angle() = default;
+  static constexpr Angle radians(double r) { return Angle(r); }
+  static constexpr Angle degrees(double d) { return Angle(d * (kPi / 180.0)); }
+  static constexpr Angle turns(double n) { return Angle(n * (2.0 * kPi)); }
+
+  constexpr double radians() const { return rad_; }
+  constexpr double degrees() const { return rad_ * (180.0 / kPi); }
+  constexpr double turns() const { return rad_ / (2.0 * kPi); }
+
+  constexpr Angle operator-() const { return Angle(-rad_); }
+  constexpr Angle operator+(Angle o) const { return Angle(rad_ + o.rad_); }
+  constexpr Angle operator-(Angle o) const { return Angle(rad_ - o.rad_); }
+  constexpr Angle operator*(double k) const { return Angle(rad_ * k); }
+  constexpr Angle operator/(double k) const { return Angle(rad_ / k); }
+  constexpr double operator/(Angle o) const { return rad_ / o.rad_; }
+  Angle& operator+=(Angle o) {
+    rad_ += o.rad_;
+    return *this;
+  }
+  constexpr bool operator<(Angle o) const { return rad_ < o.rad_; }
+  constexpr bool operator>(Angle o) const { return rad_ > o.rad_; }
+  constexpr bool operator==(Angle o) const { return rad_ == o.rad_; }
+
+  /// The same angle in [0, period). `period` > 0.
+  Angle wrapped(Angle period) const {
+    double r = std::fmod(rad_, period.rad_);
+    if (r < 0.0) r += period.rad_;
+    return Angle(r >= period.rad_ ? 0.0 : r);
+  }
+
+  /// The same angle in [-period/2, period/2). `period` > 0.
+  Angle wrapped_signed(Angle period) const {
+    const Angle half = period / 2.0;
+    return (*this + half).wrapped(period) - half;
+  }
+
+ private:
+  constexpr explicit Angle(double r) : rad_(r) {}
+  double rad_ = 0.0;
+};
+
+constexpr Angle operator*(double k, Angle a) { return a * k; }
+
+}  // namespace patchmill

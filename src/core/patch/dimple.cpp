@@ -1,0 +1,27 @@
+// Names and counts of dimple states.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/patch/dimple.h"
+
+namespace patchmill {
+
+const char* name(DimpleState state) {
+  switch (state) {
+    case DimpleState::Cut:
+      return "cut";
+    case DimpleState::OffFace:
+      return "off the face";
+    case DimpleState::TooSteep:
+      return "too steep";
+    case DimpleState::ToolTip:
+      return "tool tip";
+  }
+  return "?";
+}
+
+std::array<std::int64_t, kDimpleStates> count_states(const Dimples& dimples) {
+  std::array<std::int64_t, kDimpleStates> count{};
+  for (const Dimple& dimple : dimples) ++count[static_cast<std::size_t>(dimple.state)];
+  return count;
+}
+
+}  // namespace patchmill

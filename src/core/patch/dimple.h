@@ -1,0 +1,47 @@
+// SurfacePoint and Dimple: what sampling a face and dividing it into patches give.
+// Xu & Sasahara 2016, section 2.2.1: the dimples of a planar patch, projected on the target surface.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/vec.h"
+
+namespace patchmill {
+
+/// What became of one lattice point. Everything but Cut is left out of the path, and counted.
+enum class DimpleState : std::uint8_t {
+  Cut,       ///< will be milled
+  OffFace,   ///< the ray meets no trimmed face
+  TooSteep,  ///< the face's normal is further from the projection direction than the limit
+  ToolTip,   ///< n parallel to t within the limit: the contact azimuth is undefined, the tip rubs
+};
+constexpr int kDimpleStates = 4;
+const char* name(DimpleState state);
+
+/// A place on a face and the unit normal out of the material there [mm].
+struct SurfacePoint {
+  Vec3 position = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+};
+
+/// Integer coordinates of a lattice point; the lattice says where that is in the texture plane.
+using LatticePoint = std::array<std::int32_t, 2>;
+
+struct Dimple {
+  SurfacePoint surface;
+  LatticePoint lattice{};
+  std::int32_t patch = 0;  ///< number of its patch, in the order in which patches are milled
+  DimpleState state = DimpleState::Cut;
+};
+
+/// All lattice points that were tried, in milling order: patch by patch, helix by helix. A dimple's
+/// number is its index here.
+using Dimples = std::vector<Dimple>;
+
+/// How many dimples there are of each state, indexed by DimpleState; the sum is dimples.size().
+std::array<std::int64_t, kDimpleStates> count_states(const Dimples& dimples);
+
+}  // namespace patchmill
