@@ -160,7 +160,8 @@ ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, con
   for (std::size_t i = 1; i < planned.size(); ++i) {
     const Planned &a = planned[i - 1], &b = planned[i];
     const double turns = spindle_advance(a.azimuth, b.azimuth, rule.phase, tool, spindle).turns();
-    if (a.patch == b.patch)
+    // the next place of the helix; over places left out the tool goes at a safe height
+    if (a.patch == b.patch && b.number == a.number + 1)
       step(build, a, b, turns, feed, turns_per_mm, decimals);
     else
       link(build, b, turns, period, turns_per_mm, rule.safe_height, decimals);
