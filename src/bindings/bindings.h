@@ -1,5 +1,6 @@
 // What the binding files share. Bindings convert and check arguments, release the GIL in long
-// calls, and hold no algorithm. SPDX-License-Identifier: LGPL-2.1-or-later
+// calls, and hold no algorithm.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/progress.h"

@@ -14,10 +14,10 @@ import math
 import FreeCAD
 import _patchmill as core
 from _patchmill import InputError
-from PySide.QtCore import QT_TRANSLATE_NOOP
 
 from patchmill import host
 from patchmill.texture_plan import TextureInput, plan_texture
+from patchmill.translate import QT_TRANSLATE_NOOP
 
 # type, name, group, tip, default
 PROPERTIES = [
@@ -244,3 +244,6 @@ def planned(obj):
             obj.Label, "not computed", "FreeCAD refused it: check its job, base faces and tool."
         )
     return proxy.planned
+
+
+host.register_operation("CurvedTexture", Create, SetupProperties)

@@ -14,26 +14,18 @@ import Path
 
 VERSION = tuple(int(v) for v in FreeCAD.Version()[:2])
 
+import PathScripts.PathUtils as PathUtils  # noqa: E402  the same name in all versions
+
 if VERSION >= (0, 21):
     import Path.Main.Job as PathJob
     import Path.Op.Base as PathOp
-    import Path.Tool.Controller as PathToolController
+    from Path.Base.SetupSheet import RegisterOperation as register_operation
 else:
     import PathScripts.PathJob as PathJob
     import PathScripts.PathOp as PathOp
-    import PathScripts.PathToolController as PathToolController
-import PathScripts.PathUtils as PathUtils  # the same name in all versions
+    from PathScripts.PathSetupSheet import RegisterOperation as register_operation
 
-__all__ = [
-    "VERSION",
-    "Path",
-    "PathOp",
-    "PathUtils",
-    "create_job",
-    "make_ball_end_mill",
-    "post_parts",
-    "tool_kind",
-]
+__all__ = ["VERSION", "Path", "PathOp", "PathUtils", "register_operation"]
 
 
 def create_job(name, models):

@@ -74,3 +74,12 @@ def run(step_file, out_folder, say=print):
     reports = patchmill.write_report(posted[0], plan, gcode, out_folder)
     FreeCAD.closeDocument(document.Name)
     return [gcode, saved] + reports
+
+
+if __name__ == "__main__":
+    import sys
+
+    names = run(sys.argv[1], sys.argv[2], lambda text: print("-- " + text, flush=True))
+    print("done:")
+    for name in names:
+        print("  " + name)

@@ -1,7 +1,8 @@
 // Patch division: which lattice points make which patch, and in what order they are milled.
 // Square patches of m x m points tile the square lattice with the vectors (m, 0) and (0, m), so
 // every point belongs to exactly one patch and lines of dimples run on from patch to patch (Matsuda
-// 2008, Fig. 1a; Xu & Sasahara 2016, section 2.1). SPDX-License-Identifier: LGPL-2.1-or-later
+// 2008, Fig. 1a; Xu & Sasahara 2016, section 2.1).
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/patch/helix.h"

@@ -1,6 +1,7 @@
 // The order of dimples inside a patch: the helical path of Matsuda 2008 (Fig. 1b) and Xu & Sasahara
 // 2016 (Fig. 1a) as lattice steps. The outline loop first, then the next loop inside it, to the
-// centre. SPDX-License-Identifier: LGPL-2.1-or-later
+// centre.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/patch/dimple.h"

@@ -1,6 +1,7 @@
 // A corner point on the program's decimals such that the way over it has a wanted length. One
 // micron of length is 0.83 degrees of phase at the paper's F and S, so of the grid points near the
-// ideal corner the one is taken that fits best. SPDX-License-Identifier: LGPL-2.1-or-later
+// ideal corner the one is taken that fits best.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/sync/rounding.h"

@@ -1,6 +1,7 @@
 // The constant-feed strategy on the paper's surface with the paper's numbers (Xu & Sasahara 2016,
 // Tables 1 and 2): travel, angle of the legs, turns, phase with and without the carry, M3 against
-// M4. SPDX-License-Identifier: LGPL-2.1-or-later
+// M4.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/constant_feed.h"
 
 #include "bezier_dimples.h"
