@@ -144,7 +144,7 @@ def draw_phase_error(errors, filename):
     """Phase error [degrees] over the dimples in milling order. Returns filename."""
     figure, axes = plt.subplots(figsize=(14, 3.6))
     degrees = np.degrees(errors["error"])
-    axes.plot(degrees, ",", color="#1f77b4")
+    axes.plot(degrees, ".", ms=2, mew=0, color="#1f77b4")
     axes.axhline(0, color="#444", lw=0.6)
     axes.set_xlim(0, len(degrees))
     axes.set_xlabel("dimple, in milling order")
