@@ -82,8 +82,8 @@ void expect_equal(const PolynomialSurface& mine, const Handle(Geom_Surface) & pe
 
 TEST(PolynomialOfFace, EqualsOpenCascadeOnRandomSplines) {
   std::mt19937 random(7);
-  for (int u_degree = 1; u_degree <= PolynomialSurface::kMostDegree; u_degree += 2)
-    for (int v_degree = 1; v_degree <= PolynomialSurface::kMostDegree; v_degree += 2)
+  for (int u_degree = 1; u_degree <= PolynomialSurface::kMostDegree; ++u_degree)
+    for (int v_degree = 1; v_degree <= PolynomialSurface::kMostDegree; ++v_degree)
       for (bool rational : {false, true}) {
         const auto surface = random_surface(random, u_degree, v_degree, rational);
         const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, Precision::Confusion());

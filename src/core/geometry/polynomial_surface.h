@@ -26,8 +26,8 @@ class PolynomialSurface {
                     std::vector<double> v_knots, const std::vector<Eigen::Vector4d>& bernstein,
                     bool rational);
 
-  /// Above this degree the power basis on [0, 1] loses too many digits: 9 x 9 was 5e-10 mm off.
-  static constexpr int kMostDegree = 7;
+  /// Above this degree the power basis on [0, 1] loses digits: 7 x 7 is 1e-10 mm off.
+  static constexpr int kMostDegree = 6;
 
   /// Outside the knots the outermost patch is continued.
   SurfaceD1 d1(double u, double v) const;
