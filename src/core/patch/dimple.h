@@ -1,13 +1,13 @@
 // SurfacePoint and Dimple: what sampling a face and dividing it into patches give.
-// Xu & Sasahara 2016, section 2.2.1: the dimples of a planar patch, projected on the target surface.
-// SPDX-License-Identifier: LGPL-2.1-or-later
+// Xu & Sasahara 2016, section 2.2.1: the dimples of a planar patch, projected on the target
+// surface. SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+
+#include "core/geometry/vec.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
-
-#include "core/geometry/vec.h"
 
 namespace patchmill {
 
