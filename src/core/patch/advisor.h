@@ -7,7 +7,8 @@
 // everything scales with f_z:
 //     c = q f_z / (2 tan(π/m)),    a = (n + q/2 + u) f_z / m
 // with u = 0 for the square array and 1/2 for the staggered one. The proposals are members of the
-// families next to the wish. SPDX-License-Identifier: LGPL-2.1-or-later
+// families next to the wish.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/patch/phase_difference.h"

@@ -1,6 +1,7 @@
 // Which dimples are left out at the borders of a texture: too steep, too near an edge, or in a
 // patch of which too little is on the faces. Each changes states from Cut to the reason; the order
-// and number of dimples stay. SPDX-License-Identifier: LGPL-2.1-or-later
+// and number of dimples stay.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/angle.h"

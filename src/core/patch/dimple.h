@@ -1,6 +1,7 @@
 // SurfacePoint and Dimple: what sampling a face and dividing it into patches give.
 // Xu & Sasahara 2016, section 2.2.1: the dimples of a planar patch, projected on the target
-// surface. SPDX-License-Identifier: LGPL-2.1-or-later
+// surface.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/vec.h"

@@ -6,7 +6,8 @@
 // Sides lie on lines at right angles to directions 2π/m apart. With φ = 2π/m and the distances o,
 // p, q from the centre of the line before, the line itself and the line after, a side runs from
 // (p cos φ - o)/sin φ to (q - p cos φ)/sin φ along its line, so it is (o + q - 2 p cos φ)/sin φ
-// long. SPDX-License-Identifier: LGPL-2.1-or-later
+// long.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/patch/helix.h"

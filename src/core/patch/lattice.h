@@ -1,6 +1,7 @@
 // The lattice of dimple places in the texture plane: square (Matsuda 2008, Fig. 1a) or triangular.
 // Lattice coordinates (i, j) mean i a1 + j a2 with |a1| = |a2| = f, a1 along x, and a2 at 90° or
-// 60° to it. SPDX-License-Identifier: LGPL-2.1-or-later
+// 60° to it.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/patch/dimple.h"

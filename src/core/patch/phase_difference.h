@@ -8,7 +8,8 @@
 // From lap to lap it changes by 2 m tan(π/m) c/f_z teeth, from side to side by 2 tan(π/m) c/f_z.
 // Marks stand in straight rows within each side when the first is an integer, and alike on all
 // sides when the second is; otherwise they drift and line up on curves. All phases are in teeth
-// here: turns of the tool are 1/N of them. SPDX-License-Identifier: LGPL-2.1-or-later
+// here: turns of the tool are 1/N of them.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/patch/free_helix.h"

@@ -1,8 +1,8 @@
 // How high material stays between the dimples of a ball of radius R whose lowest points form a
 // lattice: a point at distance ρ from the nearest of them is left at R - √(R² - ρ²) above them (the
 // cusp formula of ball-end milling; ρ²/2R for small ρ). The sweep of the edge along the feed is
-// left out: it is the form for feeds slow against the edge. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// left out: it is the form for feeds slow against the edge.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/vec.h"
