@@ -1,12 +1,12 @@
-// Low-distortion lattices on sampled surfaces; see surface_lattice.h. A coarse triangular lattice
-// of edge H >= f grows layer by layer from the start, around holes too; in between it is relaxed by
+// Low-distortion lattices on sampled surfaces; see surface_lattice.h. A coarse triangular lattice of
+// edge H >= f grows layer by layer from the start, around holes too; in between it is relaxed by
 // Gauss-Newton steps on
 //     sum over edges of w (L/H - 1)²,  L = |X_b - X_a| (1 + ((n_b - n_a)·e)²/24),
-// L the edge's length along the surface to third order, e its direction. Nodes move in their
-// tangent planes and are projected back by the sampler. A few layers go beyond the faces (or the
-// slope up to which low distortion is sought), on tangent planes and with little weight w, for
-// interpolation up to the border and to get across narrow gaps. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// L the edge's length along the surface to third order, e its direction. Nodes move in their tangent
+// planes and are projected back by the sampler. A few layers go beyond the faces (or the slope up to
+// which low distortion is sought), with less weight w, for interpolation up to the border and to get
+// across narrow gaps.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/patch/surface_lattice.h"
 #include "core/patch/surface_walk.h"
 

@@ -8,6 +8,8 @@
 #include "core/patch/cover.h"
 #include "core/patch/patch_surface.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -207,6 +209,38 @@ TEST(OnSurface, NarrowGapsAreCrossed) {
     EXPECT_GT(beyond, 200);
     EXPECT_GT(laid.spread.least, 0.97);
     EXPECT_LT(laid.spread.greatest, 1.03);
+  }
+}
+
+// Random waves, steep ones too, with random discs cut out: whatever happens, dimples are on the
+// surface under their places and the reasons add up.
+RC_GTEST_PROP(OnSurface, RandomFacesGiveOnlySoundDimples, ()) {
+  auto number = [](int lo, int hi) { return *rc::gen::inRange(lo, hi) * 0.01; };
+  const Ray whole = waves(number(0, 400), number(400, 3000));
+  std::vector<std::pair<Vec2, double>> holes;
+  for (int n = *rc::gen::inRange(0, 5); n > 0; --n)
+    holes.push_back({Vec2(number(-500, 500), number(-500, 500)), number(10, 250)});
+  auto inside = [&](const SurfacePoint& p) {
+    for (const auto& [centre, radius] : holes)
+      if ((p.position.head<2>() - centre).norm() < radius) return false;
+    return true;
+  };
+  const Vec2 start(number(-400, 400), number(-400, 400));
+  RC_PRE(inside({Vec3(start.x(), start.y(), 0), Vec3::UnitZ()}));
+  const Mapping mapping = *rc::gen::element(Mapping::ChebyshevNet, Mapping::LowDistortion);
+  const LatticeKind kind = *rc::gen::element(LatticeKind::Square, LatticeKind::Triangular);
+  const Laid laid = lay(mapping, kind, 0.9, trimmed(whole, inside), 5.0, 70.0, start);
+  std::int64_t sum = 0;
+  for (std::int64_t n : count_states(laid.dimples)) sum += n;
+  RC_ASSERT(sum == std::int64_t(laid.dimples.size()) && cut(laid) > 0);
+  std::set<LatticePoint> seen;
+  for (const Dimple& d : laid.dimples) {
+    RC_ASSERT(seen.insert(d.lattice).second);
+    RC_ASSERT(d.surface.position.allFinite() && d.surface.normal.allFinite());
+    if (d.state != DimpleState::Cut) continue;
+    RC_ASSERT(inside(d.surface));
+    const Vec3 on = whole(d.surface.position, -Vec3::UnitZ())->position;
+    RC_ASSERT((on - d.surface.position).norm() < 1e-9);
   }
 }
 
