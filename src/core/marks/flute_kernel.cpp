@@ -1,284 +1,56 @@
-// Newton's method for a chunk of cells at a time; see flute_kernel.h. Written in the vector types
-// that GCC and Clang share, compiled for several instruction sets of which the program takes the
-// best the processor has. Contraction to fused multiply-add is off (-ffp-contract=off), so all of
-// them give the same bits. SPDX-License-Identifier: LGPL-2.1-or-later
+// Choice of the innermost loop by what the processor can do; see flute_kernel.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/flute_kernel.h"
 
-#include <cmath>
-
-#if defined(__x86_64__) && defined(__ELF__)
-#define PATCHMILL_CLONES \
-  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define PATCHMILL_CLONES
-#endif
-#define PATCHMILL_INLINE inline __attribute__((always_inline))
-
 namespace patchmill {
+
+#define PATCHMILL_DECLARE(isa)                                                       \
+  namespace isa {                                                                    \
+  void mill_flat(const PassFrame&, float, float, float, int, float*);                \
+  void mill_curved(const PassFrame&, const CurvedRow&, const float[3], int, float*); \
+  }
+PATCHMILL_DECLARE(any_processor)
+PATCHMILL_DECLARE(x86_64_v3)
+PATCHMILL_DECLARE(x86_64_v4)
+
 namespace {
 
-using Lanes = float __attribute__((vector_size(4 * kLanes), aligned(4)));
-using Mask = int __attribute__((vector_size(4 * kLanes)));
-
-struct Lanes3 {
-  Lanes x, y, z;
+struct Kernels {
+  decltype(&any_processor::mill_flat) flat = any_processor::mill_flat;
+  decltype(&any_processor::mill_curved) curved = any_processor::mill_curved;
 };
 
-constexpr int kSurelyNewton = 3;         // steps that every chunk takes
-constexpr int kMostNewton = 10;          // steps for a chunk that has not converged by then
-constexpr float kStepConverged = 1e-3f;  // [rad]; the error after such a step is of its square
-constexpr float kLongestStep = 0.5f;     // [rad]
-
-PATCHMILL_INLINE Lanes all(float v) {
-  return Lanes{} + v;
-}
-PATCHMILL_INLINE Lanes smaller(const Lanes& a, const Lanes& b) {
-  return a < b ? a : b;
-}
-PATCHMILL_INLINE Lanes larger(const Lanes& a, const Lanes& b) {
-  return a > b ? a : b;
-}
-PATCHMILL_INLINE Lanes clamped(const Lanes& v, float low, float high) {
-  return smaller(larger(v, all(low)), all(high));
+Kernels kernels_for(InstructionSet set) {
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+  if (set >= InstructionSet::V4 && __builtin_cpu_supports("x86-64-v4"))
+    return {x86_64_v4::mill_flat, x86_64_v4::mill_curved};
+  if (set >= InstructionSet::V3 && __builtin_cpu_supports("x86-64-v3"))
+    return {x86_64_v3::mill_flat, x86_64_v3::mill_curved};
+#else
+  (void)set;
+#endif
+  return {};
 }
 
-PATCHMILL_INLINE void root(Lanes& v) {
-  for (int i = 0; i < kLanes; ++i) v[i] = std::sqrt(v[i]);
-}
-
-PATCHMILL_INLINE bool any(const Mask& m) {
-  int bits = 0;
-  for (int i = 0; i < kLanes; ++i) bits |= m[i];
-  return bits != 0;
-}
-
-PATCHMILL_INLINE Lanes dot(const Lanes3& d, const Lanes3& v) {
-  return d.x * v.x + d.y * v.y + d.z * v.z;
-}
-
-/// Angle of (x, y) for x > 0; 0 .. pi/2 by magnitude. Odd polynomial, minimax on 0..1 to 2.5e-7
-/// rad.
-PATCHMILL_INLINE Lanes angle_of(const Lanes& x, const Lanes& y) {
-  const Lanes ay = larger(y, -y);
-  const Mask steep = ay > x;
-  const Lanes u = smaller(ay, x) / larger(larger(ay, x), all(1e-30f));
-  const Lanes z = u * u;
-  Lanes p = all(6.811781786e-3f);
-  p = p * z - 3.3604186028e-2f;
-  p = p * z + 7.9623632133e-2f;
-  p = p * z - 1.32333397865e-1f;
-  p = p * z + 1.98078155518e-1f;
-  p = p * z - 3.33173692226e-1f;
-  p = p * z + 9.99996125698e-1f;
-  p = p * u;
-  p = steep ? 1.57079632679f - p : p;
-  return y < 0.0f ? -p : p;
-}
-
-/// Motion of the tool at each lane's delta.
-struct ToolState {
-  Lanes3 shift, velocity;  // of the ball centre since the middle of the pass
-  Lanes3 a, b, t;          // housing directions
-  Lanes3 a_rate, b_rate, t_rate;
-};
-
-PATCHMILL_INLINE void set(const float v[3], Lanes3& out) {
-  out = {all(v[0]), all(v[1]), all(v[2])};
-}
-PATCHMILL_INLINE void add(const Lanes& k, const float v[3], Lanes3& out) {
-  out.x += k * v[0];
-  out.y += k * v[1];
-  out.z += k * v[2];
-}
-
-template <bool kTurning>
-PATCHMILL_INLINE void move_tool(const PassFrame& pass, const Lanes& delta, ToolState& tool) {
-  set(pass.velocity, tool.velocity);
-  tool.shift = {delta * pass.velocity[0], delta * pass.velocity[1], delta * pass.velocity[2]};
-  set(pass.a, tool.a);
-  set(pass.b, tool.b);
-  set(pass.t, tool.t);
-  if (kTurning) {
-    set(pass.a_rate, tool.a_rate);
-    set(pass.b_rate, tool.b_rate);
-    set(pass.t_rate, tool.t_rate);
-    add(delta, pass.a_rate, tool.a);
-    add(delta, pass.b_rate, tool.b);
-    add(delta, pass.t_rate, tool.t);
-  }
-  for (const PassKink& kink : pass.kinks) {
-    const Lanes past = delta - kink.at;
-    const Mask beyond = kink.at > 0.0f ? past > 0.0f : past < 0.0f;
-    const Lanes by = beyond ? past : all(0.0f), on = beyond ? all(1.0f) : all(0.0f);
-    add(by, kink.velocity, tool.shift);
-    add(on, kink.velocity, tool.velocity);
-    if (kTurning) {
-      add(by, kink.a, tool.a);
-      add(by, kink.b, tool.b);
-      add(by, kink.t, tool.t);
-      add(on, kink.a, tool.a_rate);
-      add(on, kink.b, tool.b_rate);
-      add(on, kink.t, tool.t_rate);
-    }
-  }
-}
-
-/// The point of the ball that is under a cell: offset from the ball centre, its derivative by
-/// delta, and its height over the base. `open` is R² less the squared distance of the line from the
-/// centre.
-struct BallPoint {
-  Lanes3 offset, rate;
-  Lanes height, open;
-};
-
-/// Cells of a plane at (x, y).
-struct FlatCells {
-  Lanes x, y;
-  float centre_height;
-
-  PATCHMILL_INLINE Lanes guess(const PassFrame& pass) const {
-    return pass.guess + x * pass.guess_gradient[0] + y * pass.guess_gradient[1];
-  }
-  PATCHMILL_INLINE void under(const PassFrame& pass, const ToolState& tool, BallPoint& ball) const {
-    const Lanes qx = x - tool.shift.x, qy = y - tool.shift.y;
-    ball.open = pass.radius * pass.radius - (qx * qx + qy * qy);
-    Lanes h = larger(ball.open, all(1e-12f));
-    root(h);
-    const Lanes h_rate = (qx * tool.velocity.x + qy * tool.velocity.y) / h;
-    ball.offset = {qx, qy, -h};
-    ball.rate = {-tool.velocity.x, -tool.velocity.y, -h_rate};
-    ball.height = centre_height + tool.shift.z - h;
-  }
-};
-
-/// Cells of a curved surface: base points p with unit normals n.
-struct CurvedCells {
-  Lanes3 p, n;
-
-  PATCHMILL_INLINE Lanes guess(const PassFrame& pass) const {
-    return pass.guess + p.x * pass.guess_gradient[0] + p.y * pass.guess_gradient[1] +
-           p.z * pass.guess_gradient[2];
-  }
-  PATCHMILL_INLINE void under(const PassFrame& pass, const ToolState& tool, BallPoint& ball) const {
-    const Lanes3 to_base = {p.x - tool.shift.x, p.y - tool.shift.y, p.z - tool.shift.z};
-    const Lanes along = -dot(to_base, n), v_along = dot(tool.velocity, n);
-    const Lanes3 q = {to_base.x + along * n.x, to_base.y + along * n.y, to_base.z + along * n.z};
-    ball.open = pass.radius * pass.radius - dot(q, q);
-    Lanes h = larger(ball.open, all(1e-12f));
-    root(h);
-    const Lanes h_rate = dot(q, tool.velocity) / h;
-    ball.height = along - h;
-    ball.offset = {q.x - h * n.x, q.y - h * n.y, q.z - h * n.z};
-    const Lanes rate = v_along - h_rate;
-    ball.rate = {rate * n.x - tool.velocity.x, rate * n.y - tool.velocity.y,
-                 rate * n.z - tool.velocity.z};
-  }
-};
-
-/// One Newton step of r(delta) = 0; returns its length.
-template <bool kTurning, class Cells>
-PATCHMILL_INLINE Lanes newton(const PassFrame& pass, const Cells& cells, Lanes& delta) {
-  ToolState tool;
-  BallPoint ball;
-  move_tool<kTurning>(pass, delta, tool);
-  cells.under(pass, tool, ball);
-  const Lanes across = dot(ball.offset, tool.a), ahead = dot(ball.offset, tool.b);
-  const Lanes up = dot(ball.offset, tool.t);
-  Lanes across_rate = dot(ball.rate, tool.a), ahead_rate = dot(ball.rate, tool.b);
-  Lanes up_rate = dot(ball.rate, tool.t);
-  if (kTurning) {
-    across_rate += dot(ball.offset, tool.a_rate);
-    ahead_rate += dot(ball.offset, tool.b_rate);
-    up_rate += dot(ball.offset, tool.t_rate);
-  }
-  const Lanes in_front = larger(across, all(1e-6f));
-  const Lanes r = delta - angle_of(in_front, ahead) - pass.helix_rate * (up - pass.helix_height);
-  const Lanes square = in_front * in_front + ahead * ahead;
-  const Lanes slope =
-      square * (1.0f - pass.helix_rate * up_rate) - (in_front * ahead_rate - ahead * across_rate);
-  const Lanes safe = larger(slope, 0.05f * square);
-  const Lanes step = clamped(r * square / safe, -kLongestStep, kLongestStep);
-  delta -= step;
-  return step;
-}
-
-/// Height of the edge over each cell at delta, and whether it cuts there and how deep.
-template <bool kTurning, class Cells>
-PATCHMILL_INLINE Mask cuts(const PassFrame& pass, const Cells& cells, const Lanes& delta,
-                           const Lanes& before, Lanes& height) {
-  ToolState tool;
-  BallPoint ball;
-  move_tool<kTurning>(pass, delta, tool);
-  cells.under(pass, tool, ball);
-  height = ball.height;
-  const Lanes across = dot(ball.offset, tool.a), up = dot(ball.offset, tool.t);
-  return (ball.open > 0.0f) & (across > 0.0f) & (up <= 0.0f) & (delta >= pass.low) &
-         (delta < pass.high) & (height < before);
-}
-
-template <bool kTurning, class Cells>
-PATCHMILL_INLINE void mill_chunk(const PassFrame& pass, const Cells& cells, float* height) {
-  Lanes& before = *reinterpret_cast<Lanes*>(height);
-  Lanes delta = clamped(cells.guess(pass), pass.low, pass.high);
-  Lanes step = all(0.0f), now;
-  for (int i = 0; i < kSurelyNewton; ++i) step = newton<kTurning>(pass, cells, delta);
-  Mask cut = cuts<kTurning>(pass, cells, delta, before, now);
-  Mask rough = cut & ((step > kStepConverged) | (step < -kStepConverged));
-  for (int i = kSurelyNewton; i < kMostNewton && any(rough); ++i) {
-    step = newton<kTurning>(pass, cells, delta);
-    cut = cuts<kTurning>(pass, cells, delta, before, now);
-    rough = cut & ((step > kStepConverged) | (step < -kStepConverged));
-  }
-  before = (cut & ~rough) ? now : before;
-}
-
-PATCHMILL_INLINE Lanes load(const float* from) {
-  Lanes v;
-  __builtin_memcpy(&v, from, sizeof v);
-  return v;
-}
-
-template <bool kTurning>
-PATCHMILL_INLINE void mill_flat_row(const PassFrame& pass, float x, float y, float step, int chunks,
-                                    float* height) {
-  Lanes column;
-  for (int i = 0; i < kLanes; ++i) column[i] = static_cast<float>(i);
-  for (int c = 0; c < chunks; ++c) {
-    const FlatCells cells{x + (column + static_cast<float>(c * kLanes)) * step, all(y),
-                          pass.centre_height};
-    mill_chunk<kTurning>(pass, cells, height + c * kLanes);
-  }
-}
-
-template <bool kTurning>
-PATCHMILL_INLINE void mill_curved_row(const PassFrame& pass, const CurvedRow& row,
-                                      const float shift[3], int chunks, float* height) {
-  for (int c = 0; c < chunks; ++c) {
-    const int at = c * kLanes;
-    const CurvedCells cells{
-        {load(row.x + at) + shift[0], load(row.y + at) + shift[1], load(row.z + at) + shift[2]},
-        {load(row.nx + at), load(row.ny + at), load(row.nz + at)}};
-    mill_chunk<kTurning>(pass, cells, height + at);
-  }
+const Kernels& best() {
+  static const Kernels kernels = kernels_for(InstructionSet::V4);
+  return kernels;
 }
 
 }  // namespace
 
-PATCHMILL_CLONES
 void mill_flat(const PassFrame& pass, float x, float y, float step, int chunks, float* height) {
-  if (pass.turning)
-    mill_flat_row<true>(pass, x, y, step, chunks, height);
-  else
-    mill_flat_row<false>(pass, x, y, step, chunks, height);
+  best().flat(pass, x, y, step, chunks, height);
 }
 
-PATCHMILL_CLONES
+void mill_flat(InstructionSet set, const PassFrame& pass, float x, float y, float step, int chunks,
+               float* height) {
+  kernels_for(set).flat(pass, x, y, step, chunks, height);
+}
+
 void mill_curved(const PassFrame& pass, const CurvedRow& row, const float shift[3], int chunks,
                  float* height) {
-  if (pass.turning)
-    mill_curved_row<true>(pass, row, shift, chunks, height);
-  else
-    mill_curved_row<false>(pass, row, shift, chunks, height);
+  best().curved(pass, row, shift, chunks, height);
 }
 
 }  // namespace patchmill

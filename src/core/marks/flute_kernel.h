@@ -52,6 +52,11 @@ struct CurvedRow {
 /// Lowers height[0 .. kLanes * chunks) of cells at (x + i step, y) over the plane.
 void mill_flat(const PassFrame& pass, float x, float y, float step, int chunks, float* height);
 
+/// The instruction set at most; mill_flat takes the best. All give the same bits.
+enum class InstructionSet { Any, V3, V4 };
+void mill_flat(InstructionSet set, const PassFrame& pass, float x, float y, float step, int chunks,
+               float* height);
+
 /// The same over base points row + shift with their own normals. NaN bases stay as they are.
 void mill_curved(const PassFrame& pass, const CurvedRow& row, const float shift[3], int chunks,
                  float* height);
