@@ -13,26 +13,33 @@ namespace {
 
 constexpr double kLeastTurn = 1e-9;  // [rad]
 
-/// Nodes of one move after its start, cut up so that the ball centre and the axis are followed
-/// within `tolerance` by straight lines from node to node.
+/// Angle by which `to` is turned from `from` about unit `axis`, -pi .. pi; both at right angles to
+/// it.
+double twist(const Vec3& from, const Vec3& to, const Vec3& axis) {
+  return std::atan2(axis.dot(from.cross(to)), from.dot(to));
+}
+
+/// Nodes of one move after its start, cut up so that the ball centre and the housing are followed
+/// within `tolerance` by straight lines from node to node. The axis takes the least rotation, the
+/// housing turns evenly about it besides.
 void append_move(const MotionNode& from, const Vec3& from_tip, const MotionNode& to,
                  const Vec3& to_tip, double radius, double tolerance, MotionRun& run) {
-  const double bend = std::atan2(from.axis.cross(to.axis).norm(), from.axis.dot(to.axis)) +
-                      (to.housing_x - from.housing_x).norm();
-  const double step = std::sqrt(8.0 * tolerance / radius);
-  const int pieces = 1 + static_cast<int>(bend / step);
   const auto turn = Eigen::Quaterniond::FromTwoVectors(from.axis, to.axis);
-  for (int i = 1; i <= pieces; ++i) {
+  const double about = twist(turn * from.housing_x, to.housing_x, to.axis);
+  const double bend = std::atan2(from.axis.cross(to.axis).norm(), from.axis.dot(to.axis));
+  const double longest = std::sqrt(8.0 * tolerance / radius);
+  const int pieces = 1 + static_cast<int>(std::hypot(bend, about) / longest);
+  for (int i = 1; i < pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
+    const Eigen::Quaterniond part = Eigen::Quaterniond::Identity().slerp(share, turn);
     MotionNode node;
     node.turned = from.turned + share * (to.turned - from.turned);
-    node.axis = Eigen::Quaterniond::Identity().slerp(share, turn) * from.axis;
+    node.axis = part * from.axis;
     node.centre = from_tip + share * (to_tip - from_tip) + radius * node.axis;
-    const Vec3 x = from.housing_x + share * (to.housing_x - from.housing_x);
-    node.housing_x = (x - x.dot(node.axis) * node.axis).normalized();
-    if (i == pieces) node = to;
+    node.housing_x = Eigen::AngleAxisd(share * about, node.axis) * (part * from.housing_x);
     run.nodes.push_back(node);
   }
+  run.nodes.push_back(to);
 }
 
 class PathReader {
