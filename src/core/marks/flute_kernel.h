@@ -49,16 +49,27 @@ struct CurvedRow {
   const float *x, *y, *z, *nx, *ny, *nz;
 };
 
-/// Lowers height[0 .. kLanes * chunks) of cells at (x + i step, y) over the plane.
-void mill_flat(const PassFrame& pass, float x, float y, float step, int chunks, float* height);
-
-/// The instruction set at most; mill_flat takes the best. All give the same bits.
+/// Instruction sets that the kernel is compiled for; all give the same bits.
 enum class InstructionSet { Any, V3, V4 };
-void mill_flat(InstructionSet set, const PassFrame& pass, float x, float y, float step, int chunks,
-               float* height);
 
-/// The same over base points row + shift with their own normals. NaN bases stay as they are.
-void mill_curved(const PassFrame& pass, const CurvedRow& row, const float shift[3], int chunks,
-                 float* height);
+/// The best one that this processor has.
+InstructionSet best_instruction_set();
+
+/// Kernels for an instruction set, or for the best that the processor has below it.
+///
+/// mill lowers height[0 .. kLanes * chunks), finding one moment per cell and pass by Newton's
+/// method. That is the only one but for cells so near to the tool axis that the feed carries them
+/// round it as fast as the spindle turns. These are looked at again by search, which finds all
+/// their moments, and leaves the other cells as they are; best after all passes have been milled,
+/// since it is slow and does not look at cells that are already deeper than the pass can reach.
+struct FluteKernel {
+  /// Cells at (x + i step, y) over the plane.
+  void (*flat)(bool search, const PassFrame& pass, float x, float y, float step, int chunks,
+               float* height);
+  /// Base points row + shift with their own normals. NaN bases stay as they are.
+  void (*curved)(bool search, const PassFrame& pass, const CurvedRow& row, const float shift[3],
+                 int chunks, float* height);
+};
+FluteKernel flute_kernel(InstructionSet set);
 
 }  // namespace patchmill

@@ -22,7 +22,11 @@ struct Lanes3 {
   Lanes x, y, z;
 };
 
-constexpr int kSurelyNewton = 2;         // steps that every chunk takes
+constexpr int kSurelyNewton = 2;      // steps that every chunk takes
+constexpr float kNearAxis = 1.2f;     // above 1: a margin for what is curved
+constexpr float kSearchStep = 0.12f;  // [rad]
+constexpr int kMostCrossings = 3;
+constexpr int kSecants = 7;
 constexpr int kGroup = 4;                // registers that take turns
 constexpr int kMostNewton = 10;          // steps for a chunk that has not converged by then
 constexpr float kStepConverged = 1e-3f;  // [rad]; the error after such a step is of its square
@@ -128,7 +132,7 @@ PATCHMILL_INLINE void move_tool(const PassFrame& pass, const Lanes& delta, ToolS
 /// centre.
 struct BallPoint {
   Lanes3 offset, rate;
-  Lanes height, open;
+  Lanes height, height_rate, open;
 };
 
 /// Cells of a plane at (x, y).
@@ -136,6 +140,10 @@ struct FlatCells {
   Lanes x, y;
   float centre_height;
 
+  PATCHMILL_INLINE void take(int lane, const FlatCells& from, int other) {
+    x[lane] = from.x[other];
+    y[lane] = from.y[other];
+  }
   PATCHMILL_INLINE Lanes guess(const PassFrame& pass) const {
     return pass.guess + x * pass.guess_gradient[0] + y * pass.guess_gradient[1];
   }
@@ -148,6 +156,7 @@ struct FlatCells {
     ball.offset = {qx, qy, -h};
     ball.rate = {-tool.velocity.x, -tool.velocity.y, -h_rate};
     ball.height = centre_height + tool.shift.z - h;
+    ball.height_rate = tool.velocity.z - h_rate;
   }
 };
 
@@ -155,6 +164,14 @@ struct FlatCells {
 struct CurvedCells {
   Lanes3 p, n;
 
+  PATCHMILL_INLINE void take(int lane, const CurvedCells& from, int other) {
+    p.x[lane] = from.p.x[other];
+    p.y[lane] = from.p.y[other];
+    p.z[lane] = from.p.z[other];
+    n.x[lane] = from.n.x[other];
+    n.y[lane] = from.n.y[other];
+    n.z[lane] = from.n.z[other];
+  }
   PATCHMILL_INLINE Lanes guess(const PassFrame& pass) const {
     return pass.guess + p.x * pass.guess_gradient[0] + p.y * pass.guess_gradient[1] +
            p.z * pass.guess_gradient[2];
@@ -168,8 +185,9 @@ struct CurvedCells {
     root(h);
     const Lanes h_rate = dot(q, tool.velocity) / h;
     ball.height = along - h;
+    ball.height_rate = v_along - h_rate;
     ball.offset = {q.x - h * n.x, q.y - h * n.y, q.z - h * n.z};
-    const Lanes rate = v_along - h_rate;
+    const Lanes& rate = ball.height_rate;
     ball.rate = {rate * n.x - tool.velocity.x, rate * n.y - tool.velocity.y,
                  rate * n.z - tool.velocity.z};
   }
@@ -196,28 +214,172 @@ PATCHMILL_INLINE Lanes newton(const PassFrame& pass, const Cells& cells, Lanes& 
   const Lanes square = in_front * in_front + ahead * ahead;
   const Lanes slope =
       square * (1.0f - pass.helix_rate * up_rate) - (in_front * ahead_rate - ahead * across_rate);
-  const Lanes safe = larger(slope, 0.05f * square);
+  const Lanes least = 0.05f * square;
+  const Lanes safe = slope < 0.0f ? smaller(slope, -least) : larger(slope, least);
   const Lanes step = clamped(r * square / safe, -kLongestStep, kLongestStep);
-  delta -= step;
+  delta = clamped(delta - step, pass.low - kLongestStep, pass.high + kLongestStep);
   return step;
 }
 
-/// Height of the edge over each cell at delta, and whether it cuts there and how deep.
+/// Height of the edge over each cell at delta, and whether it cuts there. `reached`: the ball does
+/// at least, with the edge not too far away.
 template <bool kTurning, class Cells>
 PATCHMILL_INLINE Mask cuts(const PassFrame& pass, const Cells& cells, const Lanes& delta,
-                           const Lanes& before, Lanes& height) {
+                           const Lanes& before, const Lanes& step, Lanes& height, Mask& reached) {
   ToolState tool;
   BallPoint ball;
   move_tool<kTurning>(pass, delta, tool);
   cells.under(pass, tool, ball);
   height = ball.height;
   const Lanes across = dot(ball.offset, tool.a), up = dot(ball.offset, tool.t);
-  return (ball.open > 0.0f) & (across > 0.0f) & (up <= 0.0f) & (delta >= pass.low) &
-         (delta < pass.high) & (height < before);
+  const Lanes still = step * ball.height_rate;
+  const Lanes slack = larger(still, -still) * 2.0f;
+  reached = (ball.open > 0.0f) & (height - slack < before) & (across > 0.0f) & (up <= 0.0f);
+  return reached & (height < before) & (delta >= pass.low) & (delta < pass.high);
 }
 
 PATCHMILL_INLINE Mask rough(const Lanes& step) {
   return (step > kStepConverged) | (step < -kStepConverged);
+}
+
+/// Lanes over which the edge may pass more than once: where, some time in the pass, the feed
+/// carries the azimuth of the point of the ball on with the spindle and as fast. The point's way
+/// (x, y) across the tool axis is taken as straight, so that x y' - y x' is constant and the
+/// azimuth turns at that over x² + y². Only lanes that the ball may reach below `before`.
+template <bool kTurning, class Cells>
+PATCHMILL_INLINE Mask near_axis(const PassFrame& pass, const Cells& cells, const Lanes& before) {
+  const float middle = 0.5f * (pass.low + pass.high), half = 0.5f * (pass.high - pass.low);
+  ToolState tool;
+  BallPoint ball;
+  move_tool<kTurning>(pass, all(middle), tool);
+  cells.under(pass, tool, ball);
+  const Lanes across = dot(ball.offset, tool.a), ahead = dot(ball.offset, tool.b);
+  const Lanes across_rate = dot(ball.rate, tool.a), ahead_rate = dot(ball.rate, tool.b);
+  const Lanes rate = across_rate * across_rate + ahead_rate * ahead_rate + 1e-12f;
+  const Lanes nearest = clamped(-(across * across_rate + ahead * ahead_rate) / rate, -half, half);
+  const Lanes x = across + nearest * across_rate, y = ahead + nearest * ahead_rate;
+  const Lanes fall = larger(ball.height_rate, -ball.height_rate) * half +
+                     dot(tool.velocity, tool.velocity) * (half * half / pass.radius);
+  const Lanes moment = across * ahead_rate - ahead * across_rate;
+  return (x * x + y * y < kNearAxis * moment + 1e-6f) & (ball.height - fall < before);
+}
+
+/// sin and cos for |v| < 1.7, to 1e-6.
+PATCHMILL_INLINE void sin_cos(const Lanes& v, Lanes& sine, Lanes& cosine) {
+  const Lanes z = v * v;
+  sine = v * (1.0f -
+              z * (1.0f / 6) *
+                  (1.0f - z * (1.0f / 20) *
+                              (1.0f - z * (1.0f / 42) *
+                                          (1.0f - z * (1.0f / 72) * (1.0f - z * (1.0f / 110))))));
+  cosine = 1.0f - z * 0.5f *
+                      (1.0f - z * (1.0f / 12) *
+                                  (1.0f - z * (1.0f / 30) *
+                                              (1.0f - z * (1.0f / 56) * (1.0f - z * (1.0f / 90)))));
+}
+
+/// Signed distance of the point of the ball that is under a cell from the half-plane of the edge
+/// [mm], at delta = at + off. Unlike the azimuth it is smooth at the tool axis. `valid`: the cell
+/// is on the ball's lower side and on the edge's side of the axis.
+template <bool kTurning, class Cells>
+PATCHMILL_INLINE Lanes distance_to_edge(const PassFrame& pass, const Cells& cells,
+                                        const Lanes& delta, Mask& valid, Lanes& height) {
+  ToolState tool;
+  BallPoint ball;
+  move_tool<kTurning>(pass, delta, tool);
+  cells.under(pass, tool, ball);
+  const Lanes across = dot(ball.offset, tool.a), ahead = dot(ball.offset, tool.b);
+  const Lanes up = dot(ball.offset, tool.t);
+  Lanes sine, cosine;
+  sin_cos(clamped(delta - pass.helix_rate * (up - pass.helix_height), -1.7f, 1.7f), sine, cosine);
+  valid = (ball.open > 0.0f) & (up <= 0.0f) & (across * cosine + ahead * sine > 0.0f);
+  height = ball.height;
+  return ahead * cosine - across * sine;
+}
+
+PATCHMILL_INLINE Mask crossed(const Lanes& a, const Lanes& b) {
+  return ((a <= 0.0f) & (b > 0.0f)) | ((a > 0.0f) & (b <= 0.0f));
+}
+
+/// For each lane a stretch of the pass in which the edge crosses the cell: its ends, and the
+/// distances from the edge there. Equal distances: no crossing.
+struct Stretch {
+  Lanes left, right, at_left, at_right;
+};
+
+/// The crossings of each lane: one, but near the tool axis up to three.
+struct Crossings {
+  Stretch stretch[kMostCrossings];
+  Mask taken[kMostCrossings] = {};
+
+  PATCHMILL_INLINE void add(const Stretch& s, Mask lanes) {
+    lanes &= crossed(s.at_left, s.at_right);
+    if (!any(lanes)) return;
+    for (int k = 0; k < kMostCrossings; ++k) {
+      const Mask here = lanes & ~taken[k];
+      stretch[k].left = here ? s.left : stretch[k].left;
+      stretch[k].right = here ? s.right : stretch[k].right;
+      stretch[k].at_left = here ? s.at_left : stretch[k].at_left;
+      stretch[k].at_right = here ? s.at_right : stretch[k].at_right;
+      lanes &= taken[k];
+      taken[k] |= here;
+    }
+  }
+};
+
+/// Lowers the lanes to where the edge crosses them in a stretch; regula falsi.
+template <bool kTurning, class Cells>
+PATCHMILL_INLINE void lower(const PassFrame& pass, const Cells& cells, Stretch in,
+                            const Mask& lanes, Lanes& lowest) {
+  if (!any(lanes)) return;
+  Mask valid;
+  Lanes height;
+  for (int k = 0; k < kSecants; ++k) {
+    const Lanes apart = in.at_right - in.at_left;
+    const Lanes back = apart == 0.0f ? all(0.0f) : in.at_right * (in.right - in.left) / apart;
+    const Lanes delta = in.right - back;
+    const Lanes now = distance_to_edge<kTurning>(pass, cells, delta, valid, height);
+    const Mask right_of_it = crossed(now, in.at_right);
+    in.left = right_of_it ? delta : in.left;
+    in.at_left = right_of_it ? now : in.at_left;
+    in.right = right_of_it ? in.right : delta;
+    in.at_right = right_of_it ? in.at_right : now;
+  }
+  lowest = (lanes & valid & (height < lowest)) ? height : lowest;
+}
+
+/// Lowers the cells to every crossing of the edge in the pass. It is stepped through; where the
+/// distance has an extremum between three steps without a change of sign, a parabola says whether
+/// the edge came and went in between.
+template <bool kTurning, class Cells>
+PATCHMILL_INLINE void search(const PassFrame& pass, const Cells& cells, Lanes& lowest) {
+  const int steps = 2 + static_cast<int>((pass.high - pass.low) / kSearchStep);
+  const float width = (pass.high - pass.low) / static_cast<float>(steps);
+  Crossings found;
+  for (Stretch& s : found.stretch) s = {all(0.0f), all(0.0f), all(0.0f), all(0.0f)};
+  Mask valid;
+  Lanes height, oldest = all(0.0f), old = oldest;
+  for (int i = 0; i <= steps; ++i) {
+    const Lanes here = all(pass.low + width * static_cast<float>(i));
+    const Lanes now = distance_to_edge<kTurning>(pass, cells, here, valid, height);
+    if (i > 0) found.add({here - width, here, old, now}, Mask{} - 1);
+    const Lanes bend = now - 2.0f * old + oldest;
+    const Lanes half = 0.5f * (now - oldest);
+    const Lanes turn = bend == 0.0f ? all(9.0f) : -half / bend;  // in steps, from the middle one
+    const Lanes extreme = old + 0.5f * half * turn;
+    const Mask between = (turn > -1.0f) & (turn < 1.0f) & ~crossed(oldest, old) &
+                         ~crossed(old, now) & crossed(extreme, old);
+    if (i > 1 && any(between)) {
+      const Lanes at = here + (turn - 1.0f) * width;
+      const Lanes there = distance_to_edge<kTurning>(pass, cells, at, valid, height);
+      found.add({here - 2.0f * width, at, oldest, there}, between);
+      found.add({at, here, there, now}, between);
+    }
+    oldest = old;
+    old = now;
+  }
+  for (int k = 0; k < kMostCrossings; ++k)
+    lower<kTurning>(pass, cells, found.stretch[k], found.taken[k], lowest);
 }
 
 /// Mills `count` <= kGroup registers of cells. Their Newton steps take turns: one step is a long
@@ -232,10 +394,10 @@ PATCHMILL_INLINE void mill_group(const PassFrame& pass, const Cells* cells, int 
   for (int k = 0; k < count; ++k) {
     Lanes& before = *reinterpret_cast<Lanes*>(height + k * kWidth);
     Lanes now;
-    Mask cut = cuts<kTurning>(pass, cells[k], delta[k], before, now);
-    for (int i = kSurelyNewton; i < kMostNewton && any(cut & rough(step[k])); ++i) {
+    Mask reached, cut = cuts<kTurning>(pass, cells[k], delta[k], before, step[k], now, reached);
+    for (int i = kSurelyNewton; i < kMostNewton && any(reached & rough(step[k])); ++i) {
       step[k] = newton<kTurning>(pass, cells[k], delta[k]);
-      cut = cuts<kTurning>(pass, cells[k], delta[k], before, now);
+      cut = cuts<kTurning>(pass, cells[k], delta[k], before, step[k], now, reached);
     }
     before = (cut & ~rough(step[k])) ? now : before;
   }
@@ -247,9 +409,46 @@ PATCHMILL_INLINE Lanes load(const float* from) {
   return v;
 }
 
+/// The second look at the cells near the tool axis: they are few, so they are gathered into full
+/// registers.
+template <bool kTurning, class Cells>
+PATCHMILL_INLINE void search_group(const PassFrame& pass, const Cells* cells, int count,
+                                   float* height) {
+  Cells gathered = cells[0];
+  Lanes lowest = all(0.0f);
+  int from[kWidth], taken = 0;
+  for (int k = 0; k < count; ++k) {
+    const Mask near =
+        near_axis<kTurning>(pass, cells[k], *reinterpret_cast<Lanes*>(height + k * kWidth));
+    const bool last = k + 1 == count;
+    if (!any(near) && !(last && taken > 0)) continue;
+    for (int lane = 0; lane < kWidth; ++lane) {
+      if (near[lane] != 0) {
+        gathered.take(taken, cells[k], lane);
+        from[taken] = k * kWidth + lane;
+        lowest[taken] = height[from[taken]];
+        ++taken;
+      }
+      if (taken < kWidth && !(last && lane + 1 == kWidth)) continue;
+      search<kTurning>(pass, gathered, lowest);
+      for (int g = 0; g < taken; ++g) height[from[g]] = lowest[g];
+      taken = 0;
+    }
+  }
+}
+
+template <bool kTurning, class Cells>
+PATCHMILL_INLINE void treat_group(bool near_axis_only, const PassFrame& pass, const Cells* cells,
+                                  int count, float* height) {
+  if (near_axis_only)
+    search_group<kTurning>(pass, cells, count, height);
+  else
+    mill_group<kTurning>(pass, cells, count, height);
+}
+
 template <bool kTurning>
-PATCHMILL_INLINE void mill_flat_row(const PassFrame& pass, float x, float y, float step, int chunks,
-                                    float* height) {
+PATCHMILL_INLINE void mill_flat_row(bool near_axis_only, const PassFrame& pass, float x, float y,
+                                    float step, int chunks, float* height) {
   Lanes column;
   for (int i = 0; i < kWidth; ++i) column[i] = static_cast<float>(i);
   FlatCells cells[kGroup];
@@ -258,13 +457,14 @@ PATCHMILL_INLINE void mill_flat_row(const PassFrame& pass, float x, float y, flo
     for (int k = 0; k < count; ++k)
       cells[k] = {x + (column + static_cast<float>((c + k) * kWidth)) * step, all(y),
                   pass.centre_height};
-    mill_group<kTurning>(pass, cells, count, height + c * kWidth);
+    treat_group<kTurning>(near_axis_only, pass, cells, count, height + c * kWidth);
   }
 }
 
 template <bool kTurning>
-PATCHMILL_INLINE void mill_curved_row(const PassFrame& pass, const CurvedRow& row,
-                                      const float shift[3], int chunks, float* height) {
+PATCHMILL_INLINE void mill_curved_row(bool near_axis_only, const PassFrame& pass,
+                                      const CurvedRow& row, const float shift[3], int chunks,
+                                      float* height) {
   CurvedCells cells[kGroup];
   for (int c = 0; c < chunks; c += kGroup) {
     const int count = chunks - c < kGroup ? chunks - c : kGroup;
@@ -274,27 +474,28 @@ PATCHMILL_INLINE void mill_curved_row(const PassFrame& pass, const CurvedRow& ro
           {load(row.x + at) + shift[0], load(row.y + at) + shift[1], load(row.z + at) + shift[2]},
           {load(row.nx + at), load(row.ny + at), load(row.nz + at)}};
     }
-    mill_group<kTurning>(pass, cells, count, height + c * kWidth);
+    treat_group<kTurning>(near_axis_only, pass, cells, count, height + c * kWidth);
   }
 }
 
 }  // namespace
 
-void mill_flat(const PassFrame& pass, float x, float y, float step, int chunks, float* height) {
+void mill_flat(bool near_axis_only, const PassFrame& pass, float x, float y, float step, int chunks,
+               float* height) {
   const int registers = chunks * (kLanes / kWidth);
   if (pass.turning)
-    mill_flat_row<true>(pass, x, y, step, registers, height);
+    mill_flat_row<true>(near_axis_only, pass, x, y, step, registers, height);
   else
-    mill_flat_row<false>(pass, x, y, step, registers, height);
+    mill_flat_row<false>(near_axis_only, pass, x, y, step, registers, height);
 }
 
-void mill_curved(const PassFrame& pass, const CurvedRow& row, const float shift[3], int chunks,
-                 float* height) {
+void mill_curved(bool near_axis_only, const PassFrame& pass, const CurvedRow& row,
+                 const float shift[3], int chunks, float* height) {
   const int registers = chunks * (kLanes / kWidth);
   if (pass.turning)
-    mill_curved_row<true>(pass, row, shift, registers, height);
+    mill_curved_row<true>(near_axis_only, pass, row, shift, registers, height);
   else
-    mill_curved_row<false>(pass, row, shift, registers, height);
+    mill_curved_row<false>(near_axis_only, pass, row, shift, registers, height);
 }
 
 }  // namespace patchmill::PATCHMILL_ISA

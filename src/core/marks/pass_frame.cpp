@@ -86,6 +86,13 @@ class Preparer {
     for (; run_.nodes[piece + 1].turned < to && piece + 2 < run_.nodes.size(); ++piece)
       way.corners.push_back(to_frame_ * (run_.nodes[piece + 1].centre - centre_));
     way.corners.push_back(offset(piece, to));
+    double fastest = 0.0;
+    for (std::size_t k = piece_at(run_, piece_, from); k <= piece; ++k)
+      fastest = std::max(fastest, slope(k).c.norm());
+    way.tip = -edge_radius(cutter_, pass_.flute) * middle_.t;
+    // the margin of near_axis in the kernel, and one for a tool axis that turns
+    way.near_tip = 1.35 * fastest + 0.05 * way.tip.norm() * (pass_.high - pass_.low) *
+                                        std::min(10.0 * slope_.t.norm(), 1.0);
   }
 
  private:

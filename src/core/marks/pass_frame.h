@@ -14,6 +14,9 @@ struct PassWay {
   Vec3 centre =
       Vec3::Zero();  ///< where it is in the middle: plane coordinates and height, or work frame
   std::vector<Vec3> corners;  ///< of the polyline from first to last delta
+  Vec3 tip = Vec3::Zero();    ///< of the tool, seen from the ball centre
+  double near_tip =
+      0.0;  ///< cells that need a search lie within this distance of the tip's way [mm]
 };
 
 /// Fills `frame` and `way` for a pass. For a flat grid the frame is (plane x, plane y, normal), for

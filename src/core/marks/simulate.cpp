@@ -116,6 +116,8 @@ void mill(const ToolMotion& motion, const Cutter& cutter, const std::vector<Toot
     std::int64_t count = 0;
     for (std::uint32_t i = sorted.first[k]; i < sorted.first[k + 1]; ++i)
       count += tile.mill(passes[sorted.pass_numbers[i]], motion, cutter);
+    for (std::uint32_t i = sorted.first[k]; i < sorted.first[k + 1]; ++i)
+      tile.search(passes[sorted.pass_numbers[i]], motion, cutter);
     tile.end(out.relief.height);
     evaluations += count;
     shared.one_done();

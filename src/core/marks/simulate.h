@@ -8,9 +8,7 @@
 //     const SurfaceGrid grid = flat_grid(plane, low, high, 0.01);
 //     const SimulatedRelief marks = simulate_marks(motion, {path.tool}, grid, {0.1});
 //
-// Limits: only the ball part of the edges is simulated, from the tip to the equator; where the
-// contact point moves about the tool axis faster than the spindle turns (within a feed per radian
-// of the tip) an edge can be over a cell more than once in a pass, and one of the times is taken.
+// Limits: only the ball part of the edges is simulated, from the tip to the equator.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

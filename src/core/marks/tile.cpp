@@ -111,56 +111,64 @@ void Tile::load_base() {
 
 std::int64_t Tile::mill(const ToothPass& pass, const ToolMotion& motion, const Cutter& cutter) {
   prepare(pass, motion, cutter, *grid_, frame_, way_);
-  return grid_->curved() ? mill_curved_tile() : mill_flat_tile(pass);
+  return grid_->curved() ? treat_curved(false, Vec3::Zero(), frame_.radius)
+                         : treat_flat(false, Vec3::Zero(), pass.reach);
 }
 
-std::int64_t Tile::mill_flat_tile(const ToothPass& pass) {
+void Tile::search(const ToothPass& pass, const ToolMotion& motion, const Cutter& cutter) {
+  prepare(pass, motion, cutter, *grid_, frame_, way_);
+  if (grid_->curved()) {
+    treat_curved(true, way_.tip, way_.near_tip + std::abs(stock_));
+    return;
+  }
+  if (way_.tip.head<2>().norm() < pass.reach + way_.near_tip)
+    treat_flat(true, way_.tip, way_.near_tip);
+}
+
+std::int64_t Tile::treat_flat(bool search, const Vec3& aside, double reach) {
   const double step = grid_->step;
   // of the tile's first cell, seen from the ball
   const Vec2 corner = grid_->plane_point(first_column_, first_row_) - way_.centre.head<2>();
+  const Vec2 start = corner - aside.head<2>();
   double low = way_.corners.front().y(), high = low;
   for (const Vec3& c : way_.corners) {
     low = std::min(low, c.y());
     high = std::max(high, c.y());
   }
-  const int from =
-      static_cast<int>(std::max(std::ceil((low - pass.reach - corner.y()) / step), 0.0));
-  const int to =
-      static_cast<int>(std::min(std::floor((high + pass.reach - corner.y()) / step), rows_ - 1.0));
+  const double from = std::max(std::ceil((low - reach - start.y()) / step), 0.0);
+  const double to = std::min(std::floor((high + reach - start.y()) / step), rows_ - 1.0);
   std::int64_t cells = 0;
-  for (int j = from; j <= to; ++j) {
-    const double y = corner.y() + j * step;
-    const Span span = row_span(way_, pass.reach, y);
-    const double first = std::max(std::ceil((span.low - corner.x()) / step), 0.0);
-    const double last = std::min(std::floor((span.high - corner.x()) / step), columns_ - 1.0);
+  for (int j = static_cast<int>(from); j <= to; ++j) {
+    const Span span = row_span(way_, reach, start.y() + j * step);
+    const double first = std::max(std::ceil((span.low - start.x()) / step), 0.0);
+    const double last = std::min(std::floor((span.high - start.x()) / step), columns_ - 1.0);
     if (!(first <= last)) continue;
     const int c0 = static_cast<int>(first) / kLanes, c1 = static_cast<int>(last) / kLanes + 1;
-    mill_flat(frame_, static_cast<float>(corner.x() + c0 * kLanes * step), static_cast<float>(y),
-              static_cast<float>(step), c1 - c0,
-              &height_[static_cast<std::size_t>(j * kTile + c0 * kLanes)]);
+    kernel_.flat(search, frame_, static_cast<float>(corner.x() + c0 * kLanes * step),
+                 static_cast<float>(corner.y() + j * step), static_cast<float>(step), c1 - c0,
+                 &height_[static_cast<std::size_t>(j * kTile + c0 * kLanes)]);
     cells += static_cast<std::int64_t>(last - first) + 1;
   }
   return cells;
 }
 
-std::int64_t Tile::mill_curved_tile() {
+std::int64_t Tile::treat_curved(bool search, const Vec3& aside, double reach) {
   const Vec3 from_ball = origin_ - way_.centre;
   float shift[3];
   for (int k = 0; k < 3; ++k) shift[k] = static_cast<float>(from_ball[k]);
   std::int64_t chunks = 0;
-  for (int j = 0; j < rows_; ++j)
-    for (int c = j * kChunks; c < (j + 1) * kChunks; ++c) {
-      const auto chunk = static_cast<std::size_t>(c);
-      if (chunk_radius_[chunk] < 0.0f) continue;
-      const Vec3 middle = chunk_middle_[chunk].cast<double>() + from_ball;
-      if (distance_to_way(way_, middle) > frame_.radius + chunk_radius_[chunk]) continue;
-      const std::size_t at = chunk * kLanes;
-      mill_curved(frame_,
-                  {&base_[0][at], &base_[1][at], &base_[2][at], &base_[3][at], &base_[4][at],
-                   &base_[5][at]},
-                  shift, 1, &height_[at]);
-      ++chunks;
-    }
+  for (int c = 0; c < rows_ * kChunks; ++c) {
+    const auto chunk = static_cast<std::size_t>(c);
+    if (chunk_radius_[chunk] < 0.0f) continue;
+    const Vec3 middle = chunk_middle_[chunk].cast<double>() + from_ball - aside;
+    if (distance_to_way(way_, middle) > reach + chunk_radius_[chunk]) continue;
+    const std::size_t at = chunk * kLanes;
+    kernel_.curved(
+        search, frame_,
+        {&base_[0][at], &base_[1][at], &base_[2][at], &base_[3][at], &base_[4][at], &base_[5][at]},
+        shift, 1, &height_[at]);
+    ++chunks;
+  }
   return chunks * kLanes;
 }
 

@@ -16,12 +16,18 @@ class Tile {
   /// Mills one pass; returns the number of cells in its reach.
   std::int64_t mill(const ToothPass& pass, const ToolMotion& motion, const Cutter& cutter);
 
+  /// Looks again at the cells that are near the tool axis in a pass; for after all passes are
+  /// milled.
+  void search(const ToothPass& pass, const ToolMotion& motion, const Cutter& cutter);
+
   /// Copies the cells that are on the grid to a field of the grid's size.
   void end(std::vector<float>& field) const;
 
  private:
-  std::int64_t mill_flat_tile(const ToothPass& pass);
-  std::int64_t mill_curved_tile();
+  /// Cells within `reach` of the ball centre's way, moved by `aside` (seen from above; on a curved
+  /// base the reach is from point to point); returns their number.
+  std::int64_t treat_flat(bool search, const Vec3& aside, double reach);
+  std::int64_t treat_curved(bool search, const Vec3& aside, double reach);
   void load_base();
 
   const SurfaceGrid* grid_ = nullptr;
@@ -34,6 +40,7 @@ class Tile {
   std::vector<float> base_[6];
   std::vector<Vec3f> chunk_middle_;
   std::vector<float> chunk_radius_;
+  FluteKernel kernel_ = flute_kernel(best_instruction_set());
   PassFrame frame_;
   PassWay way_;
 };

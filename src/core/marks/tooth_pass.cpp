@@ -12,9 +12,8 @@
 namespace patchmill {
 namespace {
 
-constexpr double kSample = 0.1;  // [rad], along a pass when looking for where it cuts
-constexpr double kWidestHalf =
-    1.2;  // [rad], half of the widest pass; the kernel wants less than pi/2
+constexpr double kSample = 0.1;      // [rad], along a pass when looking for where it cuts
+constexpr double kWidestHalf = 1.2;  // [rad], half of the widest pass; < pi/2 for the kernel
 constexpr double kTurn = 2.0 * kPi;
 
 /// Depth of the edge below the ball centre along -n, where it is deepest. The edge goes from the
