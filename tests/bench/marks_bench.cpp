@@ -15,7 +15,7 @@ constexpr double kSpacing = 0.5;  // of the dimples [mm]
 
 /// Rows of dimples to and fro, one tooth of a two-flute mill per dimple, R = 1, tilted by 30
 /// degrees.
-ToolPath rows(int columns, int count) {
+ToolPath rows(int columns, int count, double tilt) {
   ToolPath path;
   path.tool = {1.0, 2};
   path.spindle = {1000.0 / 60.0, SpindleSense::M3};
@@ -73,7 +73,7 @@ BENCHMARK(arithmetic_limit);
 void flute_cells(benchmark::State& state) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(state.range(0)));
-  const ToolPath path = rows(80, 80, state.range(1) * kPi / 180.0);
+  const ToolPath path = rows(80, 80, static_cast<double>(state.range(1)) * kPi / 180.0);
   const ToolMotion motion = motion_of(path);
   const SurfaceGrid grid = grid_over(80, 80, 0.02);
   std::int64_t evaluations = 0, dimples = 0;
