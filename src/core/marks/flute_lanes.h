@@ -395,8 +395,13 @@ PATCHMILL_INLINE void mill_group(const PassFrame& pass, const Cells* cells, int 
     Lanes& before = *reinterpret_cast<Lanes*>(height + k * kWidth);
     Lanes now;
     Mask reached, cut = cuts<kTurning>(pass, cells[k], delta[k], before, step[k], now, reached);
+    // lanes that have converged stay as they are, whoever is beside them
     for (int i = kSurelyNewton; i < kMostNewton && any(reached & rough(step[k])); ++i) {
-      step[k] = newton<kTurning>(pass, cells[k], delta[k]);
+      const Mask going_on = reached & rough(step[k]);
+      Lanes further = delta[k];
+      const Lanes next = newton<kTurning>(pass, cells[k], further);
+      delta[k] = going_on ? further : delta[k];
+      step[k] = going_on ? next : step[k];
       cut = cuts<kTurning>(pass, cells[k], delta[k], before, step[k], now, reached);
     }
     before = (cut & ~rough(step[k])) ? now : before;

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kSample = 0.1;      // [rad], along a pass when looking for where it cuts
 constexpr double kWidestHalf = 1.2;  // [rad], half of the widest pass; < pi/2 for the kernel
+// [rad], of adjoining passes: no cell falls between them by rounding, one that is cut twice does no
+// harm
+constexpr double kOverlap = 1e-4;
 constexpr double kTurn = 2.0 * kPi;
 
 /// Depth of the edge below the ball centre along -n, where it is deepest. The edge goes from the
@@ -85,6 +88,9 @@ class PassFinder {
     add(nodes.back().turned, nodes.back().turned + kTurn, before, before, nodes.size() - 2);
     std::sort(middles_.begin(), middles_.end(),
               [](const Middle& a, const Middle& b) { return a.turned < b.turned; });
+    // a moment at a node may have been found in both of its pieces
+    const auto same = [](const Middle& a, const Middle& b) { return b.turned - a.turned < 1e-6; };
+    middles_.erase(std::unique(middles_.begin(), middles_.end(), same), middles_.end());
   }
 
   void add(double from, double to, double over_from, double over_to, std::size_t piece) {
@@ -153,8 +159,8 @@ class PassFinder {
   void keep(double middle, double from, double to, std::size_t near) {
     ToothPass pass;
     pass.middle = middle;
-    pass.low = static_cast<float>(from - middle);
-    pass.high = static_cast<float>(to - middle);
+    pass.low = static_cast<float>(from - middle - kOverlap);
+    pass.high = static_cast<float>(to - middle + kOverlap);
     pass.run = run_number_;
     pass.node = static_cast<std::int32_t>(piece_at(run_, near, middle));
     pass.flute = flute_;

@@ -2,6 +2,8 @@
 // shape is unknown. SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/clearance.h"
 
+#include "arrays.h"
+#include "core/marks/gouge.h"
 #include "core/marks/point_distance.h"
 
 #include <gtest/gtest.h>
@@ -98,6 +100,20 @@ TEST(Clearance, UnknownIsNotAPass) {
             ClearanceOutcome::Unknown);
   EXPECT_EQ(check_clearance(path, {}, distance_from_points({}, 0.1)).outcome,
             ClearanceOutcome::Unknown);
+}
+
+TEST(Gouges, OfTheReliefHavePlaceAndDepth) {
+  test::MarkMaker maker;
+  ToolPath path = maker.path({{0, 0}, {0.5, 0}, {1.0, 0}});
+  for (std::size_t k = 3; k <= 4; ++k) path.moves[k].end.tip.z() -= 0.03;  // the second mark
+  const SurfaceGrid grid = flat_grid(test::plane_z0(), {-0.3, -0.3}, {1.3, 0.3}, 0.01);
+  const Relief relief =
+      simulate_marks(motion_of(path, maker.locked(3)), {path.tool, {}, {}}, grid, {0.05}).relief;
+  const auto gouges = find_gouges(relief, 0.002);
+  ASSERT_EQ(gouges.size(), 1u);
+  EXPECT_NEAR(gouges[0].depth, 0.03, 1e-3);
+  EXPECT_LT((gouges[0].plane_place - Vec2(0.5, 0)).norm(), 0.05);
+  EXPECT_TRUE(find_gouges(relief, 0.04).empty());
 }
 
 std::vector<SurfacePoint> plane_points(double spacing) {
