@@ -73,7 +73,11 @@ void Reader::read(std::string_view text, long number) {
   Line line;
   line.text = text;
   line.number = number;
-  for (const GcodeWord& w : gcode_words(text, number)) word(w, line);
+  const std::vector<GcodeWord> words = gcode_words(text, number);
+  for (const GcodeWord& w : words)  // S comes before M3 in a block's order of execution
+    if (w.letter == 'S') word(w, line);
+  for (const GcodeWord& w : words)
+    if (w.letter != 'S') word(w, line);
   if (!std::isnan(line.f))
     state_.feed = line.f * (state_.mode == FeedMode::PerMinute ? state_.unit : 1.0);
   if (line.dwell) dwell(line);
@@ -267,29 +271,36 @@ Program read_gcode(std::string_view text, const BallEndMill& tool) {
 
 PlanMatch match_plan(ToolPath& read, const ToolPath& plan, double tolerance) {
   PlanMatch match;
+  match.complete = true;
   std::size_t r = 0;
   for (const Move& planned : plan.moves) {
     if (planned.kind == MoveKind::Rapid) continue;
-    // the next timed move of the text that ends where the planned one does
-    std::size_t q = r;
-    while (q < read.moves.size() && (read.moves[q].kind == MoveKind::Rapid ||
-                                     (read.moves[q].end.tip - planned.end.tip).norm() > tolerance))
-      ++q;
-    if (q == read.moves.size()) {
+    if (!match.complete) {
       ++match.lost_moves;
       continue;
     }
-    for (; r < q; ++r)
-      if (read.moves[r].kind != MoveKind::Rapid) ++match.extra_moves;
+    // the next timed move of the text that ends where the planned one does
+    std::int64_t passed = 0;
+    for (; r < read.moves.size(); ++r) {
+      const Move& move = read.moves[r];
+      if (move.kind == MoveKind::Rapid) continue;
+      if ((move.end.tip - planned.end.tip).norm() <= tolerance) break;
+      ++passed;
+    }
+    match.extra_moves += passed;
+    if (r == read.moves.size()) {
+      match.complete = false;
+      ++match.lost_moves;
+      continue;
+    }
     Move& move = read.moves[r++];
     move.kind = planned.kind;
     move.dimple = planned.dimple;
     match.largest_miss = std::max(match.largest_miss, (move.end.tip - planned.end.tip).norm());
-    if (planned.dimple != kNoDimple && match.lost_moves == 0) ++match.found;
+    if (planned.dimple != kNoDimple) ++match.found;
   }
   for (; r < read.moves.size(); ++r)
     if (read.moves[r].kind != MoveKind::Rapid) ++match.extra_moves;
-  match.complete = match.lost_moves == 0;
   return match;
 }
 

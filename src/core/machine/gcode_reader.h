@@ -32,11 +32,11 @@ struct Program {
 Program read_gcode(std::string_view text, const BallEndMill& tool);
 
 struct PlanMatch {
-  bool complete = false;         ///< every dimple of the plan was found, in order
-  std::int64_t found = 0;        ///< dimples found before the first that was not
+  bool complete = false;         ///< every timed move of the plan was found, in order
+  std::int64_t found = 0;        ///< dimples found before the first move that was not
   double largest_miss = 0.0;     ///< distance of a found move's end from the planned one [mm]
   std::int64_t extra_moves = 0;  ///< timed moves of the text that the plan does not have
-  std::int64_t lost_moves = 0;   ///< timed moves of the plan that the text does not have
+  std::int64_t lost_moves = 0;   ///< timed moves of the plan from the first one that the text lacks
 };
 
 /// Gives the moves of `read` the kinds and dimple numbers of `plan`, by going through both in order
