@@ -40,6 +40,7 @@ struct PassFrame {
   float guess = 0.0f,
         guess_gradient[3] = {};   ///< first delta at base point p - c: guess + gradient . p
   float low = 0.0f, high = 0.0f;  ///< the pass is low <= delta < high
+  float search_step = 0.1f;       ///< of delta when looking for all crossings [rad]
   std::vector<PassKink> kinks;
 };
 

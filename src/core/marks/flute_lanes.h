@@ -22,9 +22,11 @@ struct Lanes3 {
   Lanes x, y, z;
 };
 
-constexpr int kSurelyNewton = 2;      // steps that every chunk takes
-constexpr float kNearAxis = 1.2f;     // above 1: a margin for what is curved
-constexpr float kSearchStep = 0.12f;  // [rad]
+constexpr int kSurelyNewton = 2;    // steps that every chunk takes
+constexpr float kNearAxis = 1.2f;   // above 1: a margin for what is curved
+constexpr float kFarSide = 0.4f;    // the azimuth runs against the spindle: Newton may miss it
+constexpr float kTipDisc = 0.015f;  // the way of the point is a little curved
+constexpr float kTipWidth = 1e-4f;  // [mm]; so near to the tip all azimuths are one
 constexpr int kMostCrossings = 3;
 constexpr int kSecants = 7;
 constexpr int kGroup = 4;                // registers that take turns
@@ -261,7 +263,8 @@ PATCHMILL_INLINE Mask near_axis(const PassFrame& pass, const Cells& cells, const
   const Lanes fall = larger(ball.height_rate, -ball.height_rate) * half +
                      dot(tool.velocity, tool.velocity) * (half * half / pass.radius);
   const Lanes moment = across * ahead_rate - ahead * across_rate;
-  return (x * x + y * y < kNearAxis * moment + 1e-6f) & (ball.height - fall < before);
+  const Lanes inner = larger(kNearAxis * moment, -kFarSide * moment) + kTipDisc * rate;
+  return (x * x + y * y < inner) & (ball.height - fall < before);
 }
 
 /// sin and cos for |v| < 1.7, to 1e-6.
@@ -292,7 +295,7 @@ PATCHMILL_INLINE Lanes distance_to_edge(const PassFrame& pass, const Cells& cell
   const Lanes up = dot(ball.offset, tool.t);
   Lanes sine, cosine;
   sin_cos(clamped(delta - pass.helix_rate * (up - pass.helix_height), -1.7f, 1.7f), sine, cosine);
-  valid = (ball.open > 0.0f) & (up <= 0.0f) & (across * cosine + ahead * sine > 0.0f);
+  valid = (ball.open > 0.0f) & (up <= 0.0f) & (across * cosine + ahead * sine > -kTipWidth);
   height = ball.height;
   return ahead * cosine - across * sine;
 }
@@ -353,7 +356,7 @@ PATCHMILL_INLINE void lower(const PassFrame& pass, const Cells& cells, Stretch i
 /// the edge came and went in between.
 template <bool kTurning, class Cells>
 PATCHMILL_INLINE void search(const PassFrame& pass, const Cells& cells, Lanes& lowest) {
-  const int steps = 2 + static_cast<int>((pass.high - pass.low) / kSearchStep);
+  const int steps = 2 + static_cast<int>((pass.high - pass.low) / pass.search_step);
   const float width = (pass.high - pass.low) / static_cast<float>(steps);
   Crossings found;
   for (Stretch& s : found.stretch) s = {all(0.0f), all(0.0f), all(0.0f), all(0.0f)};

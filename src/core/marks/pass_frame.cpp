@@ -72,6 +72,9 @@ class Preparer {
     frame.turning = slope_.a.norm() + slope_.b.norm() + slope_.t.norm() > kSlight;
     frame.helix_rate = static_cast<float>(helix_rate(cutter_));
     frame.helix_height = static_cast<float>(contact_height_ - cutter_.ball.radius);
+    // the point of the ball goes round the axis within distance / feed: fast where the tip is in reach
+    const double aside = radius * normal_.cross(middle_.t).norm();
+    frame.search_step = aside < pass_.reach ? 0.02f : 0.12f;
     fill_guess(frame, radius);
     fill_kinks(frame);
   }

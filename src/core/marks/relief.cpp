@@ -43,6 +43,38 @@ SurfaceGrid flat_grid(const TexturePlane& plane, const Vec2& low, const Vec2& hi
   return grid;
 }
 
+SurfaceGrid grid_around(const TexturePlane& plane, const std::vector<Vec2>& places, double margin,
+                        double step) {
+  if (places.empty())
+    throw InputError("GridSize", "no places", "there must be a dimple to look at.");
+  Vec2 low = places.front(), high = low;
+  for (const Vec2& p : places) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return flat_grid(plane, low.array() - margin, high.array() + margin, step);
+}
+
+SurfaceGrid curved_grid(SurfaceGrid grid, const SurfaceSampler& sampler) {
+  require_valid(grid);
+  std::vector<Vec2> row(static_cast<std::size_t>(grid.columns));
+  grid.sag.clear();
+  grid.normal.clear();
+  for (int j = 0; j < grid.rows; ++j) {
+    for (int i = 0; i < grid.columns; ++i)
+      row[static_cast<std::size_t>(i)] = grid.plane_point(i, j);
+    const std::vector<SurfaceSample> samples = sampler(row);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const bool there = on_face(samples[i].state);
+      const Vec3 from = samples[i].point.position - grid.plane.at(row[i]);
+      grid.sag.push_back(there ? from.dot(grid.plane.direction)
+                               : std::numeric_limits<double>::quiet_NaN());
+      grid.normal.push_back(there ? Vec3f(samples[i].point.normal.cast<float>()) : Vec3f::UnitZ());
+    }
+  }
+  return grid;
+}
+
 SurfaceGrid row_band(const SurfaceGrid& grid, int first_row, int rows) {
   SurfaceGrid band;
   band.plane = grid.plane;

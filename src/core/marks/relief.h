@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/geometry/vec.h"
+#include "core/patch/sampler.h"
 #include "core/patch/texture_plane.h"
 
 #include <cstdint>
@@ -45,6 +46,15 @@ Vec3 base_normal(const SurfaceGrid& grid, int i, int j);
 /// Errors: InputError naming GridStep (not positive), GridSize (high below low, or over 2^31 - 1
 /// columns or rows).
 SurfaceGrid flat_grid(const TexturePlane& plane, const Vec2& low, const Vec2& high, double step);
+
+/// A flat grid that covers all of `places` (plane coordinates, not empty) and `margin` more [mm].
+/// Errors: as flat_grid; GridSize if there are no places.
+SurfaceGrid grid_around(const TexturePlane& plane, const std::vector<Vec2>& places, double margin,
+                        double step);
+
+/// The same grid over a curved base: places and normals as the sampler finds them along the plane's
+/// direction, missing where it finds no face (on_face).
+SurfaceGrid curved_grid(SurfaceGrid flat, const SurfaceSampler& sampler);
 
 /// Rows `first_row` .. `first_row + rows` of a grid, as a grid of its own.
 SurfaceGrid row_band(const SurfaceGrid& grid, int first_row, int rows);

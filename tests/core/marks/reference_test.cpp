@@ -79,8 +79,9 @@ void lower_tips_to_touch(Way& way) {
   }
 }
 
+/// Rows of cells right on the way of the tip, but none on the corner of it.
 SurfaceGrid small_grid() {
-  return flat_grid(test::plane_z0(), {0.3, -0.3}, {2.1, 0.8}, 0.02);
+  return flat_grid(test::plane_z0(), {0.303, -0.3}, {2.103, 0.8}, 0.02);
 }
 
 /// Largest difference of the two reliefs; cells at the rim of the stock count as well.
@@ -97,7 +98,7 @@ Relief reference(const Way& way, const Cutter& cutter, double most_kappa = 1.4) 
   swept.sense = way.sense;
   swept.helix = std::tan(cutter.helix.radians()) / cutter.ball.radius;
   swept.runout = cutter.runout;
-  swept.time_steps = 600 * static_cast<int>(way.pieces());
+  swept.time_steps = static_cast<int>(1200 * way.turns) * static_cast<int>(way.pieces());
   swept.edge_steps = 160;
   Relief relief;
   relief.grid = small_grid();
@@ -154,6 +155,26 @@ TEST(Reference, FourFlutesOfASlightlyTiltedTool) {
   way.turns = 0.25;
   lower_tips_to_touch(way);
   EXPECT_LT(difference(way, {{1.0, 4}, {}, {}}), kWithin);
+}
+
+// The zigzag of Xu & Sasahara with a tool whose tip lies within the mark: many turns per dimple, most of
+// them lifted clear.
+TEST(Reference, ZigzagOfANearlyUprightTool) {
+  for (const double tilt : {3.0, 10.0}) {
+    Way way;
+    way.axis = test::tilted_axis(tilt * kPi / 180.0, 0.4);
+    for (int i = 0; i <= 4; ++i) way.tips.push_back({0.25 * i + 0.4, 0.2, i % 2 == 0 ? 0.0 : 0.9});
+    way.turns = 2.55;
+    for (Vec3& tip : way.tips) tip.z() += 1.0 - way.axis.z();
+    EXPECT_LT(difference(way, {{1.0, 2}, {}, {}}), kWithin) << tilt;
+  }
+}
+
+TEST(Reference, TipAlongAFlatRow) {
+  Way way = two_rows();
+  way.axis = test::tilted_axis(kPi / 36, 0.4);
+  lower_tips_to_touch(way);
+  EXPECT_LT(difference(way, {{1.0, 2}, {}, {}}), kWithin);
 }
 
 // The same motion, sampled as a machine would log it.
