@@ -98,8 +98,8 @@ Relief reference(const Way& way, const Cutter& cutter, double most_kappa = 1.4) 
   swept.sense = way.sense;
   swept.helix = std::tan(cutter.helix.radians()) / cutter.ball.radius;
   swept.runout = cutter.runout;
-  swept.time_steps = static_cast<int>(1800 * way.turns) * static_cast<int>(way.pieces());
-  swept.edge_steps = 320;
+  swept.time_steps = static_cast<int>(1500 * way.turns) * static_cast<int>(way.pieces());
+  swept.edge_steps = 240;
   Relief relief;
   relief.grid = small_grid();
   relief.stock = kStock;

@@ -43,8 +43,9 @@ struct SweptEdge {
       for (int i = 0; i <= time_steps; ++i) {
         const ToolAt tool = motion(static_cast<double>(i) / time_steps);
         now.clear();
+        // closer together towards the tip, where the sweep is most twisted
         for (int k = 0; k <= edge_steps; ++k)
-          now.push_back(edge(tool, flute, most_kappa * k / edge_steps));
+          now.push_back(edge(tool, flute, most_kappa * k * k / (edge_steps * edge_steps)));
         if (i > 0)
           for (std::size_t k = 1; k < now.size(); ++k) {
             triangle(before[k - 1], before[k], now[k - 1], relief);
