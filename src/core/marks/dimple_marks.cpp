@@ -181,6 +181,35 @@ class Merger {
   std::vector<std::map<std::int32_t, double>> ridges_;  // ordered: the same merges every time
 };
 
+/// Centre of what is low among 5 x 5 cells: mean of the places, weighted by how far each is below half of
+/// the mean height over the lowest cell. For marks that are cut with a moving tool: they have a crease
+/// along their bottom, to which no paraboloid fits.
+Vec2 low_centre(const Relief& relief, int i, int j) {
+  const SurfaceGrid& grid = relief.grid;
+  const double bottom = relief.at(i, j);
+  double sum = 0.0;
+  int count = 0;
+  Vec2 centre = Vec2::Zero();
+  double weights = 0.0;
+  for (const bool weighing : {false, true}) {
+    const double level = 0.5 * sum / std::max(count, 1);
+    for (int dj = -2; dj <= 2; ++dj)
+      for (int di = -2; di <= 2; ++di) {
+        if (i + di < 0 || j + dj < 0 || i + di >= grid.columns || j + dj >= grid.rows) continue;
+        const double over = double{relief.at(i + di, j + dj)} - bottom;
+        if (!std::isfinite(over)) continue;
+        if (!weighing) {
+          sum += over;
+          ++count;
+        } else if (over < level) {
+          centre += (level - over) * Vec2(di, dj);
+          weights += level - over;
+        }
+      }
+  }
+  return weights > 0.0 ? Vec2(centre / weights) : Vec2::Zero();
+}
+
 /// Lowest point of a paraboloid through a cell and its neighbours, least squares over 3 x 3 cells:
 /// offset in cells, at most one each way, and its height. The cell itself where there is no such
 /// paraboloid.
@@ -201,9 +230,11 @@ void refine(const Relief& relief, std::int64_t cell, Vec2& offset, double& heigh
   const double a = xx / 2 - sum / 3, b = yy / 2 - sum / 3;
   const double c = 5 * sum / 9 - (xx + yy) / 3;
   const double det = 4 * a * b - d * d;
-  if (!(a > 0.0) || !(det > 0.0)) return;
   const Vec2 at((d * by - 2 * b * bx) / det, (d * bx - 2 * a * by) / det);
-  if (!(at.cwiseAbs().maxCoeff() <= 1.0)) return;
+  if (!(a > 0.0) || !(det > 0.0) || !(at.cwiseAbs().maxCoeff() <= 1.0)) {
+    offset = low_centre(relief, i, j);
+    return;
+  }
   offset = at;
   height += c + 0.5 * (bx * at.x() + by * at.y());
 }

@@ -75,6 +75,26 @@ TEST(FindDimples, DentsBelongToTheirHollow) {
   EXPECT_EQ(find_dimples(relief, {0.005}).size(), 3u);
 }
 
+// The marks of a zigzag: a crease through the lowest point, at any angle and place in its cell.
+RC_GTEST_PROP(FindDimples, CreasedMarksAreFoundWithinACell,
+              (std::uint8_t angle, std::uint8_t right, std::uint8_t up)) {
+  const double turn = angle * kPi / 128.0, step = 0.02;
+  const Vec2 across(std::cos(turn), std::sin(turn)), along(-across.y(), across.x());
+  const Vec2 place(step * (right / 256.0 - 0.5), step * (up / 256.0 - 0.5));
+  Relief relief;
+  relief.grid = flat_grid(test::plane_z0(), {-0.2, -0.2}, {0.2, 0.2}, step);
+  relief.stock = 0.02;
+  for (int j = 0; j < relief.grid.rows; ++j)
+    for (int i = 0; i < relief.grid.columns; ++i) {
+      const Vec2 p = relief.grid.plane_point(i, j) - place;
+      const double h = 0.15 * std::abs(p.dot(across)) + 0.5 * p.squaredNorm();
+      relief.height.push_back(static_cast<float>(std::min(h, relief.stock)));
+    }
+  const auto marks = find_dimples(relief, {0.004});
+  RC_ASSERT(marks.size() == 1u);
+  RC_ASSERT((marks[0].place - place).norm() < step);
+}
+
 struct ArrayCase {
   const char* what;
   double shift, drift;

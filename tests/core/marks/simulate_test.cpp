@@ -192,8 +192,8 @@ TEST(Simulate, RefusesAndStops) {
 TEST(Motion, RunsAreLockedAtTheirFirstDimple) {
   MarkMaker maker;
   ToolPath path = maker.path({{0, 0}, {1, 0}, {2, 0}});
-  path.moves[3].turns = kUnknownTurns;  // a rapid from the first mark to the second
-  path.moves[3].kind = MoveKind::Rapid;
+  path.moves[2].turns = kUnknownTurns;  // a rapid from the first mark to the second
+  path.moves[2].kind = MoveKind::Rapid;
   const MotionOptions locked = maker.locked(3);
   const ToolMotion motion = motion_of(path, locked);
   EXPECT_EQ(motion.untimed_moves, 1);
