@@ -1,0 +1,75 @@
+// The reliefs shown in docs/cutter-marks.md, as raw float32 with a header line: name rows columns
+// step x y. Built and run by cutter_marks.py. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/marks/alignment.h"
+#include "core/marks/dimple_marks.h"
+#include "core/marks/simulate.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+using namespace patchmill;
+
+namespace {
+
+const std::string* folder = nullptr;
+
+void write(const std::string& name, const Relief& relief) {
+  std::ofstream out(*folder + "/" + name + ".relief", std::ios::binary);
+  out << name << ' ' << relief.grid.rows << ' ' << relief.grid.columns << ' ' << relief.grid.step
+      << ' ' << relief.grid.first.x() << ' ' << relief.grid.first.y() << '\n';
+  out.write(reinterpret_cast<const char*>(relief.height.data()),
+            static_cast<std::streamsize>(relief.height.size() * sizeof(float)));
+}
+
+/// Straight rows with a two-flute mill, R = 1, f = 0.5; row j + 1 shifted against row j.
+template <class Shift>
+ToolPath rows(double cross_feed, Shift&& shift) {
+  const int marks = 13, count = static_cast<int>(6.6 / cross_feed);
+  const Vec3 axis = Vec3(0, 1, 1).normalized();
+  ToolPath path;
+  path.tool = {1.0, 2};
+  path.spindle = {20.0, SpindleSense::M3};
+  const auto pose = [&](double x, int j, double z) {
+    return pose_of_ball({x, j * cross_feed, z + 1.0}, axis, 1.0);
+  };
+  const double x0 = -0.6, x1 = x0 + 0.5 * marks;
+  path.start = pose(x0, 0, 0.0);
+  for (int j = 0; j < count; ++j) {
+    if (j > 0) {
+      path.moves.push_back({pose(x1, j - 1, 0.5), 1.0, kNoDimple, MoveKind::Link});
+      path.moves.push_back({pose(x0, j, 0.5), 2.0 - 0.5 * shift(j - 1), kNoDimple, MoveKind::Link});
+      path.moves.push_back({pose(x0, j, 0.0), 1.0, kNoDimple, MoveKind::Link});
+    }
+    path.moves.push_back({pose(x1, j, 0.0), 0.5 * marks, kNoDimple, MoveKind::Cut});
+  }
+  return path;
+}
+
+template <class Shift>
+void array(const std::string& name_of_it, double cross_feed, Shift&& shift,
+           std::vector<double> runout = {}) {
+  const ToolPath path = rows(cross_feed, shift);
+  const SurfaceGrid grid = flat_grid(TexturePlane{}, {0.0, 0.0}, {5.5, 5.5}, 0.01);
+  const Relief relief =
+      simulate_marks(motion_of(path), {path.tool, {}, runout}, grid, {0.08}).relief;
+  std::vector<Vec2> places;
+  for (const DimpleMark& mark : find_dimples(relief))
+    if (!mark.at_edge) places.push_back(mark.place);
+  const AlignmentResult result = classify_alignment(places, {Vec2::UnitX(), 0.5, cross_feed});
+  std::printf("%s: %zu dimples, %s, shift %.3f, agreement %.3f\n", name_of_it.c_str(),
+              places.size(), name(result.state), result.shift, result.agreement);
+  write(name_of_it, relief);
+}
+
+}  // namespace
+
+int main(int, char** arguments) {
+  const std::string to = arguments[1];
+  folder = &to;
+  array("square", 0.5, [](int) { return 0.0; });
+  array("staggered", 0.5, [](int) { return 0.5; });
+  array("drifting", 0.5, [](int j) { return 0.06 * j; });
+  array("runout", 0.5, [](int) { return 0.0; }, {0.0, -0.005});
+}

@@ -1,0 +1,303 @@
+// Hollows of a height field; see dimple_marks.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/marks/dimple_marks.h"
+
+#include "core/geometry/angle.h"
+#include "core/geometry/error.h"
+#include "core/marks/place_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <queue>
+
+namespace patchmill {
+namespace {
+
+constexpr std::int32_t kNone = -1;
+
+/// Where each cell's water runs to: the number of a hollow, kNone for uncut and missing cells.
+struct Hollows {
+  std::vector<std::int32_t> label;
+  std::vector<std::int64_t> lowest;  // cell of each hollow
+};
+
+/// Visits the up to eight neighbours of a cell.
+template <class Visit>
+void for_neighbours(const SurfaceGrid& grid, std::int64_t cell, Visit&& visit) {
+  const int i = static_cast<int>(cell % grid.columns), j = static_cast<int>(cell / grid.columns);
+  for (int dj = -1; dj <= 1; ++dj)
+    for (int di = -1; di <= 1; ++di) {
+      if (di == 0 && dj == 0) continue;
+      if (i + di < 0 || i + di >= grid.columns || j + dj < 0 || j + dj >= grid.rows) continue;
+      visit(grid.number(i + di, j + dj), di != 0 && dj != 0);
+    }
+}
+
+bool is_cut(const Relief& relief, std::int64_t cell) {
+  return relief.height[static_cast<std::size_t>(cell)] < static_cast<float>(relief.stock);
+}
+
+/// Every cut cell points to its steepest lower neighbour; equal heights go to the lower number.
+std::vector<std::int64_t> steepest_ways(const Relief& relief) {
+  std::vector<std::int64_t> way(relief.height.size(), kNone);
+  for (std::int64_t cell = 0; cell < relief.grid.cells(); ++cell) {
+    if (!is_cut(relief, cell)) continue;
+    const float here = relief.height[static_cast<std::size_t>(cell)];
+    std::int64_t to = cell;
+    float steepest = 0.0f;
+    for_neighbours(relief.grid, cell, [&](std::int64_t other, bool diagonal) {
+      const float there = relief.height[static_cast<std::size_t>(other)];
+      if (!(there < here || (there == here && other < cell))) return;
+      const float slope = (here - there) * (diagonal ? 0.70710678f : 1.0f);
+      if (to != cell && slope <= steepest) return;
+      to = other;
+      steepest = slope;
+    });
+    way[static_cast<std::size_t>(cell)] = to;
+  }
+  return way;
+}
+
+Hollows label_hollows(const Relief& relief) {
+  std::vector<std::int64_t> way = steepest_ways(relief);
+  Hollows hollows;
+  hollows.label.assign(way.size(), kNone);
+  std::vector<std::int64_t> trail;
+  for (std::int64_t cell = 0; cell < relief.grid.cells(); ++cell) {
+    if (way[static_cast<std::size_t>(cell)] == kNone) continue;
+    std::int64_t at = cell;
+    while (hollows.label[static_cast<std::size_t>(at)] == kNone &&
+           way[static_cast<std::size_t>(at)] != at) {
+      trail.push_back(at);
+      at = way[static_cast<std::size_t>(at)];
+    }
+    std::int32_t& label = hollows.label[static_cast<std::size_t>(at)];
+    if (label == kNone) {
+      label = static_cast<std::int32_t>(hollows.lowest.size());
+      hollows.lowest.push_back(at);
+    }
+    for (const std::int64_t t : trail) hollows.label[static_cast<std::size_t>(t)] = label;
+    trail.clear();
+  }
+  return hollows;
+}
+
+/// Merges dents into their neighbours and keeps what remains of the ridges between hollows.
+class Merger {
+ public:
+  Merger(const Relief& relief, const Hollows& hollows)
+      : relief_(relief),
+        hollows_(hollows),
+        parent_(hollows.lowest.size()),
+        dropped_(hollows.lowest.size(), false),
+        ridges_(hollows.lowest.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (std::int64_t cell = 0; cell < relief.grid.cells(); ++cell)
+      for_neighbours(relief.grid, cell, [&](std::int64_t other, bool) { take(cell, other); });
+  }
+
+  /// Until every hollow is at least `least` deep; shallowest first.
+  void merge(double least) {
+    using Entry = std::pair<double, std::int32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    for (std::size_t k = 0; k < parent_.size(); ++k)
+      queue.push({depth(static_cast<std::int32_t>(k)), static_cast<std::int32_t>(k)});
+    while (!queue.empty() && queue.top().first < least) {
+      const auto [was, k] = queue.top();
+      queue.pop();
+      if (parent_[static_cast<std::size_t>(k)] != k) continue;
+      const double now = depth(k);
+      if (now != was) {
+        queue.push({now, k});
+        continue;
+      }
+      const std::int32_t into = lowest_ridge(k).first;
+      if (into == kNone) {
+        dropped_[static_cast<std::size_t>(k)] = true;  // shallow, and open to uncut ground only
+        continue;
+      }
+      const std::int32_t winner = join(k, into);
+      queue.push({depth(winner), winner});
+    }
+  }
+
+  std::int32_t root(std::int32_t k) const {
+    while (parent_[static_cast<std::size_t>(k)] != k) k = parent_[static_cast<std::size_t>(k)];
+    return k;
+  }
+  bool dropped(std::int32_t k) const { return dropped_[static_cast<std::size_t>(k)]; }
+  double depth(std::int32_t k) const {
+    // a hollow never rises above the stock: there its rim is at the latest
+    return std::min(lowest_ridge(k).second, relief_.stock) - bottom(k);
+  }
+
+ private:
+  void take(std::int64_t cell, std::int64_t other) {
+    const std::int32_t a = hollows_.label[static_cast<std::size_t>(cell)];
+    const std::int32_t b = hollows_.label[static_cast<std::size_t>(other)];
+    if (a == kNone || b == kNone || a == b) return;
+    const double over = std::max(relief_.height[static_cast<std::size_t>(cell)],
+                                 relief_.height[static_cast<std::size_t>(other)]);
+    const auto found = ridges_[static_cast<std::size_t>(a)].try_emplace(b, over).first;
+    found->second = std::min(found->second, over);
+  }
+
+  double bottom(std::int32_t k) const {
+    return relief_.height[static_cast<std::size_t>(hollows_.lowest[static_cast<std::size_t>(k)])];
+  }
+  std::pair<std::int32_t, double> lowest_ridge(std::int32_t k) const {
+    std::pair<std::int32_t, double> best{kNone, std::numeric_limits<double>::infinity()};
+    for (const auto& [other, over] : ridges_[static_cast<std::size_t>(k)])
+      if (over < best.second) best = {other, over};
+    return best;
+  }
+
+  /// Joins two hollows; the one with the lower bottom keeps its number.
+  std::int32_t join(std::int32_t a, std::int32_t b) {
+    if (std::make_pair(bottom(b), b) < std::make_pair(bottom(a), a)) std::swap(a, b);
+    auto &mine = ridges_[static_cast<std::size_t>(a)],
+         &other = ridges_[static_cast<std::size_t>(b)];
+    mine.erase(b);
+    for (const auto& [next, over] : other) {
+      if (next == a) continue;
+      auto& theirs = ridges_[static_cast<std::size_t>(next)];
+      theirs.erase(b);
+      const auto found = mine.try_emplace(next, over).first;
+      found->second = std::min(found->second, over);
+      theirs[a] = found->second;
+    }
+    other.clear();
+    parent_[static_cast<std::size_t>(b)] = a;
+    return a;
+  }
+
+  const Relief& relief_;
+  const Hollows& hollows_;
+  std::vector<std::int32_t> parent_;
+  std::vector<bool> dropped_;
+  std::vector<std::map<std::int32_t, double>> ridges_;  // ordered: the same merges every time
+};
+
+/// Centre of what is low among 5 x 5 cells: mean of the places, weighted by how far each is below half of
+/// the mean height over the lowest cell. For marks that are cut with a moving tool: they have a crease
+/// along their bottom, to which no paraboloid fits.
+Vec2 low_centre(const Relief& relief, int i, int j) {
+  const SurfaceGrid& grid = relief.grid;
+  const double bottom = relief.at(i, j);
+  double sum = 0.0;
+  int count = 0;
+  Vec2 centre = Vec2::Zero();
+  double weights = 0.0;
+  for (const bool weighing : {false, true}) {
+    const double level = 0.5 * sum / std::max(count, 1);
+    for (int dj = -2; dj <= 2; ++dj)
+      for (int di = -2; di <= 2; ++di) {
+        if (i + di < 0 || j + dj < 0 || i + di >= grid.columns || j + dj >= grid.rows) continue;
+        const double over = double{relief.at(i + di, j + dj)} - bottom;
+        if (!std::isfinite(over)) continue;
+        if (!weighing) {
+          sum += over;
+          ++count;
+        } else if (over < level) {
+          centre += (level - over) * Vec2(di, dj);
+          weights += level - over;
+        }
+      }
+  }
+  return weights > 0.0 ? Vec2(centre / weights) : Vec2::Zero();
+}
+
+/// Lowest point of a paraboloid through a cell and its neighbours, least squares over 3 x 3 cells:
+/// offset in cells, at most one each way, and its height. The cell itself where there is no such
+/// paraboloid.
+void refine(const Relief& relief, std::int64_t cell, Vec2& offset, double& height) {
+  offset.setZero();
+  height = relief.height[static_cast<std::size_t>(cell)];
+  const SurfaceGrid& grid = relief.grid;
+  const int i = static_cast<int>(cell % grid.columns), j = static_cast<int>(cell / grid.columns);
+  if (i < 1 || j < 1 || i + 1 >= grid.columns || j + 1 >= grid.rows) return;
+  double sum = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+  for (int dj = -1; dj <= 1; ++dj)
+    for (int di = -1; di <= 1; ++di) {
+      const double h = double{relief.at(i + di, j + dj)} - height;
+      sum += h, x += di * h, y += dj * h, xx += di * di * h, yy += dj * dj * h, xy += di * dj * h;
+    }
+  // z = c + bx x + by y + a x² + b y² + d x y over the nine cells
+  const double bx = x / 6, by = y / 6, d = xy / 4;
+  const double a = xx / 2 - sum / 3, b = yy / 2 - sum / 3;
+  const double c = 5 * sum / 9 - (xx + yy) / 3;
+  const double det = 4 * a * b - d * d;
+  const Vec2 at((d * by - 2 * b * bx) / det, (d * bx - 2 * a * by) / det);
+  if (!(a > 0.0) || !(det > 0.0) || !(at.cwiseAbs().maxCoeff() <= 1.0)) {
+    offset = low_centre(relief, i, j);
+    return;
+  }
+  offset = at;
+  height += c + 0.5 * (bx * at.x() + by * at.y());
+}
+
+DimpleMark measure(const Relief& relief, std::int64_t cell) {
+  const SurfaceGrid& grid = relief.grid;
+  const int i = static_cast<int>(cell % grid.columns), j = static_cast<int>(cell / grid.columns);
+  DimpleMark mark;
+  Vec2 offset;
+  refine(relief, cell, offset, mark.bottom);
+  mark.place = grid.plane_point(i, j) + grid.step * offset;
+  const Vec3 along = grid.step * (offset.x() * grid.plane.x_axis + offset.y() * grid.plane.y_axis);
+  const Vec3 n = base_normal(grid, i, j), d = grid.plane.direction;
+  const Vec3 on_base = along - d * (along.dot(n) / d.dot(n));
+  mark.point = base_point(grid, i, j) + on_base + mark.bottom * n;
+  return mark;
+}
+
+}  // namespace
+
+std::vector<DimpleMark> find_dimples(const Relief& relief, const FindOptions& options) {
+  require_in_range("LeastDepth", options.least_depth, 0.0, 1e9, "mm");
+  const Hollows hollows = label_hollows(relief);
+  Merger merger(relief, hollows);
+  merger.merge(options.least_depth);
+  std::vector<std::int32_t> number(hollows.lowest.size(), kNone);
+  std::vector<DimpleMark> marks;
+  for (std::size_t k = 0; k < hollows.lowest.size(); ++k) {
+    const auto hollow = static_cast<std::int32_t>(k);
+    if (merger.root(hollow) != hollow || merger.dropped(hollow)) continue;
+    number[k] = static_cast<std::int32_t>(marks.size());
+    marks.push_back(measure(relief, hollows.lowest[k]));
+    marks.back().depth = merger.depth(hollow) +
+                         relief.height[static_cast<std::size_t>(hollows.lowest[k])] -
+                         marks.back().bottom;
+  }
+  std::vector<std::int64_t> cells(marks.size(), 0);
+  for (std::int64_t cell = 0; cell < relief.grid.cells(); ++cell) {
+    const std::int32_t label = hollows.label[static_cast<std::size_t>(cell)];
+    if (label == kNone) continue;
+    const std::int32_t mark = number[static_cast<std::size_t>(merger.root(label))];
+    if (mark == kNone) continue;
+    ++cells[static_cast<std::size_t>(mark)];
+    int around = 0;
+    for_neighbours(relief.grid, cell, [&](std::int64_t other, bool) {
+      around += std::isnan(relief.height[static_cast<std::size_t>(other)]) ? 0 : 1;
+    });
+    if (around < 8) marks[static_cast<std::size_t>(mark)].at_edge = true;
+  }
+  for (std::size_t k = 0; k < marks.size(); ++k)
+    marks[k].diameter = 2.0 * relief.grid.step * std::sqrt(static_cast<double>(cells[k]) / kPi);
+  return marks;
+}
+
+double mean_spacing(const std::vector<DimpleMark>& dimples) {
+  std::vector<Vec2> places;
+  for (const DimpleMark& d : dimples) places.push_back(d.place);
+  const PlaceIndex index(places);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    sum += (places[index.nearest(places[k], k)] - places[k]).norm();
+  return places.size() < 2 ? std::numeric_limits<double>::quiet_NaN()
+                           : sum / static_cast<double>(places.size());
+}
+
+}  // namespace patchmill
