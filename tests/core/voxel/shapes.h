@@ -83,7 +83,7 @@ inline TriangleMesh convex_part(int n) {
 inline TriangleMesh overhanging_part(int n) {
   return block_with_top(60, 50, n, [](double u, double v) {
     const double bump = std::pow(std::sin(kPi * u), 2);
-    const double lean = (6.0 + 12.0 * v) * bump;
+    const double lean = (20.0 + 10.0 * v) * bump;
     return Vec3(60 * u + lean * std::sin(kPi * u), 50 * v, 8.0 + 22.0 * bump);
   });
 }
