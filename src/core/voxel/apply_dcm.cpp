@@ -230,9 +230,10 @@ PathSteps path_steps(const ToolPath& path) {
   PathSteps steps;
   ToolPose from = path.start;
   double last = std::numeric_limits<double>::quiet_NaN();
+  Vec3 heading = Vec3::Zero();
   for (const Move& move : path.moves) {
-    const double length =
-        (ball_centre(move.end, path.tool.radius) - ball_centre(from, path.tool.radius)).norm();
+    const Vec3 way = ball_centre(move.end, path.tool.radius) - ball_centre(from, path.tool.radius);
+    const double length = way.norm();
     const double turn = angle_between(from.axis, move.end.axis);
     from = move.end;
     if (move.kind == MoveKind::Rapid) {
@@ -249,8 +250,11 @@ PathSteps path_steps(const ToolPath& path) {
     if (!(seconds > 0.0)) continue;
     steps.axis_rate = std::max(steps.axis_rate, turn / seconds);
     const double speed = length / seconds;
-    if (!std::isnan(last)) steps.feed = std::max(steps.feed, std::abs(speed - last));
+    const bool straight = heading.dot(way) > std::cos(Angle::degrees(10).radians()) * length;
+    double& step = straight ? steps.feed : steps.feed_at_corners;
+    if (!std::isnan(last)) step = std::max(step, std::abs(speed - last));
     last = speed;
+    heading = way / length;
   }
   return steps;
 }

@@ -36,7 +36,7 @@ struct DcmOptions {
 
 /// The path with feed and posture from the fields. A null field leaves that part of the path as it
 /// is. Feed is the speed of the ball centre. Rapids keep their ball centre and get the axis of the
-/// place where they end; where there is no field the axis is upright and the feed V_Hi. With a feed
+/// place where they end; in air the axis is upright and the feed V_Hi. With a feed
 /// field every timed move gets its feed from it; without, moves keep their time, and divided ones
 /// share it. Errors: InputError if the tool has no radius, an option is out of range, the spindle
 /// stands still, or the feed of a texture path (moves that end on dimples) would be changed: its
@@ -46,11 +46,12 @@ ToolPath apply_dcm(const ToolPath& path, const VoxelGrid& grid, const FeedField*
 
 /// How rough a path is to the machine: the largest changes from one timed move to the next.
 struct PathSteps {
-  double feed = 0.0;       ///< [mm/s], of the ball centre, between moves that follow each other
-  Angle axis_per_move;     ///< turned within one move
-  Angle axis_at_rest;      ///< turned while the ball centre stands still
-  double axis_rate = 0.0;  ///< [rad/s], over moves that travel
-  std::int64_t moves = 0;  ///< timed moves
+  double feed = 0.0;  ///< [mm/s], of the ball centre, where it goes straight on (within 10 degrees)
+  double feed_at_corners = 0.0;  ///< [mm/s], where it turns off: V depends on the direction
+  Angle axis_per_move;           ///< turned within one move
+  Angle axis_at_rest;            ///< turned while the ball centre stands still
+  double axis_rate = 0.0;        ///< [rad/s], over moves that travel
+  std::int64_t moves = 0;        ///< timed moves
 };
 PathSteps path_steps(const ToolPath& path);
 

@@ -7,14 +7,12 @@
 namespace patchmill {
 namespace {
 
-bool has_field(VoxelKind kind) {
-  return kind != VoxelKind::Air && kind != VoxelKind::Part;
-}
-
 void add(const VoxelGrid& grid, const Cell& cell, double weight, ReadingStencil& stencil) {
-  const std::int64_t index = cell_index(grid.table, cell);
-  if (index < 0 || weight <= 0.0 || !has_field(grid.kind[index])) return;
-  stencil.cell[stencil.size] = index;
+  if (weight <= 0.0) return;
+  const VoxelKind kind = grid.at(cell);
+  if (kind == VoxelKind::Air) stencil.air += weight;
+  if (kind == VoxelKind::Air || kind == VoxelKind::Part) return;
+  stencil.cell[stencil.size] = cell_index(grid.table, cell);
   stencil.weight[stencil.size++] = weight;
 }
 
@@ -23,10 +21,12 @@ void add(const VoxelGrid& grid, const Cell& cell, double weight, ReadingStencil&
 ReadingStencil reading_stencil(const VoxelGrid& grid, const Vec3& p, Reading reading) {
   ReadingStencil stencil;
   const Vec3 u = grid.frame.in_cells(p);
-  // far away (or not a number): nothing to read, and no integer to overflow
-  if (!((u.array() > -2.0).all() &&
-        (u.array() < grid.frame.cells.cast<double>().array() + 2.0).all()))
+  const Vec3 end = grid.frame.cells.cast<double>();
+  // outside the box, and so far that no integer holds the cell, or not a number: air
+  if (!((u.array() > -2.0).all() && (u.array() < end.array() + 2.0).all())) {
+    stencil.air = 1.0;
     return stencil;
+  }
   if (reading == Reading::Nearest) {
     add(grid, u.array().floor().cast<int>(), 1.0, stencil);
     return stencil;
@@ -38,9 +38,10 @@ ReadingStencil reading_stencil(const VoxelGrid& grid, const Vec3& p, Reading rea
     for (int k = 0; k < 3; ++k) weight *= side[k] ? s[k] : 1.0 - s[k];
     add(grid, base.cast<int>() + side, weight, stencil);
   }
-  double sum = 0.0;
+  double sum = stencil.air;
   for (int i = 0; i < stencil.size; ++i) sum += stencil.weight[i];
-  if (sum < 1e-9) stencil.size = 0;
+  if (sum < 1e-9) return {};
+  stencil.air /= sum;
   for (int i = 0; i < stencil.size; ++i) stencil.weight[i] /= sum;
   return stencil;
 }
@@ -48,18 +49,20 @@ ReadingStencil reading_stencil(const VoxelGrid& grid, const Vec3& p, Reading rea
 std::optional<double> read_feed(const VoxelGrid& grid, const FeedField& feed, const Vec3& p,
                                 const Vec3& d, Reading reading) {
   const ReadingStencil at = reading_stencil(grid, p, reading);
-  if (at.size == 0) return std::nullopt;
-  return feed_in_direction(Vec3(at(feed.along[0]), at(feed.along[1]), at(feed.along[2])), d);
+  if (at.empty()) return std::nullopt;
+  Vec3 v;
+  for (int axis = 0; axis < 3; ++axis) v[axis] = at(feed.along[axis], feed.limits.high);
+  return feed_in_direction(v, d);
 }
 
 std::optional<Vec3> read_axis(const VoxelGrid& grid, const PostureField& posture, const Vec3& p,
                               Reading reading) {
   const ReadingStencil at = reading_stencil(grid, p, reading);
-  if (at.size == 0) return std::nullopt;
+  if (at.empty()) return std::nullopt;
+  const auto& value = posture.value;
   if (posture.form == PostureForm::Angles)
-    return posture_axis(
-        {Angle::radians(at(posture.value[0])), Angle::radians(at(posture.value[1]))});
-  const Vec3 sum(at(posture.value[0]), at(posture.value[1]), at(posture.value[2]));
+    return posture_axis({Angle::radians(at(value[0], 0.0)), Angle::radians(at(value[1], 0.0))});
+  const Vec3 sum(at(value[0], 0.0), at(value[1], 0.0), at(value[2], 1.0));
   return sum.norm() > 1e-9 ? Vec3(sum.normalized()) : Vec3::UnitZ();
 }
 

@@ -74,8 +74,8 @@ RC_GTEST_PROP(FieldReader, ReproducesLinearFields, ()) {
   };
   const Vec3 p(part(1, 49), part(1, 49), part(31, 35));
   const ReadingStencil at = reading_stencil(grid, p, Reading::Trilinear);
-  RC_ASSERT(at.size == 8 || (p.array() == p.array().round()).any());
-  RC_ASSERT(std::abs(at(field) - slope.dot(p)) < 1e-12 * 100);
+  RC_ASSERT(at.air == 0.0);
+  RC_ASSERT(std::abs(at(field, 0.0) - slope.dot(p)) < 1e-12 * 100);
 }
 
 TEST(FieldReader, IsContinuousWhereTheStaircaseJumps) {
@@ -96,10 +96,26 @@ TEST(FieldReader, IsContinuousWhereTheStaircaseJumps) {
   EXPECT_GT(stairs, 10.0 * smooth);
 }
 
-TEST(FieldReader, HasNothingFarAway) {
+TEST(FieldReader, AirHasTheValuesOfTheSkinAndThePartHasNone) {
   const Model& m = convex_model();
-  for (const Vec3& p : {Vec3(-10, 20, 20), Vec3(25, 25, 1e12), Vec3(25, 25, 5), Vec3(NAN, 0, 0)})
-    EXPECT_FALSE(read_feed(m.grid, m.feed, p, Vec3::UnitX()));
+  for (const Vec3& p : {Vec3(-10, 20, 20), Vec3(25, 25, 1e12), Vec3(25, 25, 60)}) {
+    EXPECT_EQ(read_feed(m.grid, m.feed, p, Vec3::UnitX()), kFeed.high);
+    EXPECT_EQ(read_axis(m.grid, m.posture, p), Vec3::UnitZ());
+  }
+  EXPECT_FALSE(read_feed(m.grid, m.feed, Vec3(25, 25, 5), Vec3::UnitX()));
+}
+
+TEST(FieldReader, EntersTheStockWithoutAStep) {
+  const Model& m = convex_model();
+  Vec3 last = read_axis(m.grid, m.posture, Vec3(-3, 24, 6)).value();
+  double most = 0.0;
+  for (double x = -3.0; x < 0.0; x += 0.01) {  // at the side of the part, which is the stock's too
+    const Vec3 axis = read_axis(m.grid, m.posture, Vec3(x, 24, 6)).value();
+    ASSERT_LT((axis - last).norm(), 0.02);
+    most = std::max(most, (axis - Vec3::UnitZ()).norm());
+    last = axis;
+  }
+  EXPECT_GT(most, 0.1);
 }
 
 // Distance of the ball centre from the given path's straight lines, all along the moves as the
