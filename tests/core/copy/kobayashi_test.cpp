@@ -54,22 +54,36 @@ double about_y(const Vec3& axis) {
   return Angle::radians(std::atan2(axis.x(), axis.z())).degrees();
 }
 
-// Each timed move in the plane y: where it ends, how far along the cuts of that plane, at what
-// feed.
+// The cuts in the plane y: each run (without a lift between) begins with a line for its first pose;
+// then one for each move, where it ends, how far along all cuts, at what feed.
 void write_pass(const std::string& name, const ToolPath& path, double y) {
-  std::ofstream out = table(name, "s,t,x,z,feed,b");
+  std::ofstream out = table(name, "run,s,t,x,z,feed,b");
   ToolPose from = path.start;
+  int run = 0;
+  bool lifted = true;
   double s = 0.0, t = 0.0;
   for (const Move& move : path.moves) {
+    const ToolPose begin = from;
     const Vec3 a = ball_centre(from, path.tool.radius), b = ball_centre(move.end, path.tool.radius);
     from = move.end;
-    if (move.kind != MoveKind::Cut || std::abs(a.y() - y) > 1e-6 || std::abs(b.y() - y) > 1e-6)
+    if (move.kind != MoveKind::Cut || std::abs(a.y() - y) > 1e-6 || std::abs(b.y() - y) > 1e-6) {
+      lifted = true;
       continue;
+    }
     const double length = (b - a).norm(), seconds = duration(move, path.spindle);
+    const double feed = seconds > 0 ? kMinute * length / seconds : 0.0;
+    const auto line = [&](const Vec3& c, const Vec3& axis) {
+      out << fmt::format("{},{:.5f},{:.5f},{:.4f},{:.4f},{:.4f},{:.4f}\n", run, s, t, c.x(), c.z(),
+                         feed, about_y(axis));
+    };
+    if (lifted) {
+      ++run;
+      line(a, begin.axis);
+    }
+    lifted = false;
     s += length;
     t += seconds;
-    out << fmt::format("{:.5f},{:.5f},{:.4f},{:.4f},{:.4f},{:.4f}\n", s, t, b.x(), b.z(),
-                       seconds > 0 ? kMinute * length / seconds : 0.0, about_y(move.end.axis));
+    line(b, move.end.axis);
   }
 }
 
