@@ -68,7 +68,7 @@ def plot_pass(axes, stairs, smooth, column, label, start=None, end=None, height=
         behind.tick_params(axis="y", colors=HEIGHT_COLOUR)
         axes.set_zorder(behind.get_zorder() + 1)
         axes.patch.set_visible(False)
-    # a move's feed holds over all of it, up to s; its axis is reached at s, or held in the staircase
+    # a move's feed holds over all of it, up to s; its axis is reached at s, or held in a staircase
     axes.step(*with_gaps(stairs, column), where="pre", color=STAIRS_COLOUR, linewidth=0.9,
               label="voxel by voxel (paper)")
     draw = axes.step if column == "feed" else axes.plot

@@ -110,6 +110,10 @@ double drop_ball(const TriangleBvh& bvh, double x, double y, double radius) {
   return best;
 }
 
+double drop_ball_on(const Triangle& triangle, double x, double y, double radius) {
+  return touch_triangle(triangle, {x, y, radius, radius * radius});
+}
+
 std::vector<double> drop_balls(const TriangleBvh& bvh, const std::vector<Vec2>& xy, double radius) {
   std::vector<double> z(xy.size());
   tbb::parallel_for(std::size_t{0}, xy.size(),

@@ -22,6 +22,9 @@ constexpr double kNoContact = -std::numeric_limits<double>::infinity();
 /// over (x, y); kNoContact where no triangle is within its reach. Exact to rounding.
 double drop_ball(const TriangleBvh& bvh, double x, double y, double radius);
 
+/// The same for one triangle.
+double drop_ball_on(const Triangle& triangle, double x, double y, double radius);
+
 /// Heights for many points, in parallel: `xy` holds the points.
 std::vector<double> drop_balls(const TriangleBvh& bvh, const std::vector<Vec2>& xy, double radius);
 
