@@ -11,7 +11,8 @@
 // from the stock inwards.
 //
 // Between two points of the path the ball runs straight. Points are close enough that this leaves
-// the curve by at most the tolerance. SPDX-License-Identifier: LGPL-2.1-or-later
+// the curve by at most the tolerance.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/progress.h"

@@ -3,10 +3,11 @@
 //
 // The height is the largest over all triangles of the height at which the ball touches the
 // triangle's face, an edge, or a corner. The tree of boxes (core/voxel/triangle_bvh.h) is searched
-// from the highest possible contact down: a box at horizontal distance d can lift the ball centre
-// to at most z_max + sqrt(R^2 - d^2), so that whatever lies below the contact already found is
-// never looked at, and the time for a point grows only with the logarithm of the number of
-// triangles. SPDX-License-Identifier: LGPL-2.1-or-later
+// from the highest possible contact down. What a node can lift the ball to is bounded by its box,
+// and by the inclined plane that lies over its triangles: over a smooth surface that bound is off
+// by the square of the node's size only, so that nearly all triangles under the ball are never
+// looked at, and the time for a point grows only with the depth of the tree.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/voxel/triangle_bvh.h"
@@ -19,7 +20,7 @@ namespace patchmill {
 constexpr double kNoContact = -std::numeric_limits<double>::infinity();
 
 /// Height z of the centre of a ball of `radius` [mm, > 0] that rests on the mesh with its centre
-/// over (x, y); kNoContact where no triangle is within its reach. Exact to rounding.
+/// over (x, y); kNoContact where no triangle is within its reach. Exact to 1e-11 mm.
 double drop_ball(const TriangleBvh& bvh, double x, double y, double radius);
 
 /// The same for one triangle.

@@ -6,7 +6,8 @@
 // The ball centre stays where the path put it and the tip moves: tip = c - R t. Between two poses
 // the machine moves the tip in a straight line while the axis turns by an angle a, which takes the
 // ball centre off its line by about R a^2 / 8; moves are divided until that is below a tolerance as
-// well. SPDX-License-Identifier: LGPL-2.1-or-later
+// well.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/path/tool_path.h"

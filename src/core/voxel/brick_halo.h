@@ -1,6 +1,7 @@
 // A brick and the layer of cells around it, copied into one small array so that a 7-point stencil
 // runs over plain rows. Cells beyond the stored bricks read as zero. Edges and corners of the halo
-// are never filled: no face stencil reads them. SPDX-License-Identifier: LGPL-2.1-or-later
+// are never filled: no face stencil reads them.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/voxel/bricks.h"

@@ -1,7 +1,8 @@
 // Reading a field over the removal volume at any point. The paper (Kobayashi & Shirase 2014,
 // sections 4.1 and 4.2) takes the value of the voxel that the tool is in and gets a staircase that
 // "needed to be smoothed"; the default here is trilinear interpolation between voxel centres, which
-// is continuous. SPDX-License-Identifier: LGPL-2.1-or-later
+// is continuous.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/voxel/posture_field.h"

@@ -12,8 +12,8 @@
 // The smoother is red-black Gauss-Seidel inside a brick while it is in cache, over the bricks in
 // checkerboard order: parallel, and the same result on any number of threads. Run backwards it is
 // its own adjoint, so the V-cycle is symmetric. (Briggs, Henson & McCormick 2000; McAdams, Sifakis
-// & Teran 2010 for multigrid as preconditioner on masked voxel domains.) SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// & Teran 2010 for multigrid as preconditioner on masked voxel domains.)
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/voxel/bricks.h"

@@ -12,7 +12,8 @@
 // would decide between -70 and +70 degrees.
 //
 // Option: the unit vector itself is diffused, component by component, and normalised when it is
-// read. SPDX-License-Identifier: LGPL-2.1-or-later
+// read.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/voxel/feed_field.h"

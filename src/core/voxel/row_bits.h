@@ -1,6 +1,7 @@
 // Bits along rows of voxels: for one column of bricks along x (8 x 8 rows), which centres are
 // inside a mesh and which voxels its surface touches. One byte holds the 8 voxels of a row in one
-// brick. SPDX-License-Identifier: LGPL-2.1-or-later
+// brick.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/voxel/triangle_bvh.h"

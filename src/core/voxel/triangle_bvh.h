@@ -1,7 +1,7 @@
 // A tree of boxes over the triangles of a mesh: one structure for the closest point, for lines
 // through the solid, and for dropping a ball on it (core/copy/drop_cutter.h). Built once, then read
-// by any number of threads. The same mesh gives the same tree. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// by any number of threads. The same mesh gives the same tree.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/voxel/triangle_mesh.h"
@@ -17,6 +17,14 @@ struct BvhNode {
   std::int32_t count = 0;  ///< leaf: how many triangles; inner: 0, and the right child is first + 1
 };
 
+/// A plane that lies over all triangles of a node: z <= slope . (x, y) + height. Its slope is the mean one
+/// of the triangles that face up, so that over a smooth surface it lies close.
+struct BvhLid {
+  Vec2 slope = Vec2::Zero();
+  double height = 0.0;
+  double stretch = 1.0;  ///< sqrt(1 + |slope|^2)
+};
+
 struct Triangle {
   Vec3 a, b, c;
 };
@@ -27,6 +35,7 @@ class TriangleBvh {
   explicit TriangleBvh(const TriangleMesh& mesh);
 
   const std::vector<BvhNode>& nodes() const { return nodes_; }  ///< node 0 is the root
+  const std::vector<BvhLid>& lids() const { return lids_; }     ///< one per node
   /// Triangles in the order of the leaves, and what their numbers in the mesh are.
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<std::int32_t>& order() const { return order_; }
@@ -34,6 +43,7 @@ class TriangleBvh {
  private:
   std::int32_t split(std::int32_t node, const std::vector<Vec3>& middle, const TriangleMesh& mesh);
   std::vector<BvhNode> nodes_;
+  std::vector<BvhLid> lids_;
   std::vector<Triangle> triangles_;
   std::vector<std::int32_t> order_;
 };

@@ -1,5 +1,6 @@
 // The 3-D solver: order of convergence, a slow reference, symmetry of roles, determinism,
-// residuals. SPDX-License-Identifier: LGPL-2.1-or-later
+// residuals.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/geometry/error.h"
 #include "core/geometry/vec.h"
 #include "core/voxel/laplace_solver.h"

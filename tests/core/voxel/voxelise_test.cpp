@@ -1,5 +1,6 @@
 // Voxelisation against slow independent references: solid angle for inside, separating axes for
-// touch. SPDX-License-Identifier: LGPL-2.1-or-later
+// touch.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/voxel/voxelise.h"
 
 #include "core/geometry/error.h"
