@@ -117,7 +117,7 @@ def feed_figures(plt, tables, images):
     part.set_title("A part of it")
     for axes in (whole, part):
         axes.set_ylim(380, 820)
-    part.legend(loc="lower right", fontsize=8)
+    part.legend(loc="upper center", fontsize=8)
     save(plt, figure, images, "dcm_feed_pass.png")
 
 
@@ -142,6 +142,47 @@ def posture_figures(plt, tables, images):
     save(plt, figure, images, "dcm_posture_pass.png")
 
 
+def runs_of(table):
+    """The rows of a table, run by run."""
+    return np.split(table, np.nonzero(np.diff(table["run"]))[0] + 1)
+
+
+def copy_figure(plt, tables, images):
+    figure, (scan, contour, tilt) = plt.subplots(1, 3, figsize=(13.5, 4.4), constrained_layout=True)
+    for run in runs_of(read_table(os.path.join(tables, "feed_pass_smooth.csv"))):
+        scan.plot(run["x"], run["z"] - 3.0, color=SMOOTH_COLOUR, linewidth=0.9)
+    scan.set(title="Scanning lines, Y = 24 mm", xlabel="x [mm]",
+             ylabel="lowest point of the ball, z [mm]")
+
+    table = read_table(os.path.join(tables, "contour_path.csv"))
+    levels = np.unique(table["z"])
+    colours = plt.get_cmap("viridis")(np.linspace(0, 0.9, len(levels)))
+    shown = set()
+    for run in runs_of(table):
+        level = np.searchsorted(levels, run["z"][0])
+        contour.plot(run["x"], run["y"], color=colours[level], linewidth=0.8,
+                     label=None if level in shown else "z = %g mm" % (levels[level] - 3.0))
+        shown.add(level)
+    contour.set(title="Contour lines, three levels", xlabel="x [mm]", ylabel="y [mm]")
+    contour.legend(loc="center", fontsize=7)
+
+    table = read_table(os.path.join(tables, "posture_pass_y40_smooth.csv"))
+    start, end = last_run(table)
+    table = table[(table["s"] >= start) & (table["s"] <= end)]
+    angle = np.radians(table["b"])
+    tilt.plot(table["x"], table["z"], color=SMOOTH_COLOUR, linewidth=1.2)
+    at = np.searchsorted(table["s"], np.arange(start, end, 2.5))
+    for i in at[at < len(table)]:
+        x, z = table["x"][i], table["z"][i]
+        tilt.plot([x, x + 12 * np.sin(angle[i])], [z, z + 12 * np.cos(angle[i])],
+                  color=STAIRS_COLOUR, linewidth=0.7)
+    tilt.set(title="Below an overhang, Y = 40 mm", xlabel="x [mm]",
+             ylabel="ball centre and axis, z [mm]")
+    for axes in (scan, contour, tilt):
+        axes.set_aspect("equal")
+    save(plt, figure, images, "copy_paths.png")
+
+
 def save(plt, figure, folder, name):
     figure.savefig(os.path.join(folder, name), dpi=110)
     plt.close(figure)
@@ -153,6 +194,7 @@ def main(tables, images):
     import matplotlib.pyplot as plt
     feed_figures(plt, tables, images)
     posture_figures(plt, tables, images)
+    copy_figure(plt, tables, images)
 
 
 if __name__ == "__main__":

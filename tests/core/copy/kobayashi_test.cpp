@@ -87,6 +87,18 @@ void write_pass(const std::string& name, const ToolPath& path, double y) {
   }
 }
 
+// Ends of the cuts of a whole path; `run` counts the lifts.
+void write_path(const std::string& name, const ToolPath& path) {
+  std::ofstream out = table(name, "run,x,y,z");
+  int run = 0;
+  for (const Move& move : path.moves) {
+    const Vec3 c = ball_centre(move.end, path.tool.radius);
+    run += move.kind == MoveKind::Rapid ? 1 : 0;
+    if (move.kind != MoveKind::Rapid)
+      out << fmt::format("{},{:.3f},{:.3f},{:.3f}\n", run, c.x(), c.y(), c.z());
+  }
+}
+
 void write_section(const std::string& name, const VoxelGrid& grid, double y,
                    const std::function<double(std::size_t)>& value) {
   std::ofstream out = table(name, "x,z,kind,value");
@@ -174,6 +186,7 @@ TEST(Kobayashi, FeedAlongContourLines) {
   CopyOptions options = copying(CopyMode::Contour, e.stock, 400, 6000);
   options.axial_depth = 12.0;  // every sixth level of the experiment
   const ToolPath path = copy_mill(e.bvh, options);
+  write_path("contour_path", path);
   const BothWays way = both_ways(path, e.grid, &e.feed, nullptr);
   expect_within_limits(way.smooth);
   const PathSteps stairs = path_steps(way.stairs), smooth = path_steps(way.smooth);
