@@ -30,9 +30,6 @@ void report(benchmark::State& state, const MaskedProblem& p,
   state.counters["unknowns"] = double(p.unknowns);
   state.counters["iterations"] = iterations;
   state.counters["residual"] = relative_residual(p, x);
-  state.counters["ns_per_voxel"] =
-      benchmark::Counter(double(p.unknowns) * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
-                                                        benchmark::Counter::kInvert);
 }
 
 #ifdef PATCHMILL_HAVE_OPENVDB
@@ -42,7 +39,6 @@ openvdb::Coord coord(const Cell& c) {
 
 void openvdb_poisson(benchmark::State& state) {
   namespace pcg = openvdb::math::pcg;
-  openvdb::initialize();
   const MaskedProblem p = masked_problem(int(state.range(0)));
   openvdb::DoubleTree domain(0.0);
   shapes::for_each_cell(p.table, [&](std::size_t i, const Cell& c) {
@@ -144,7 +140,6 @@ struct SphereInBox {
 
 #ifdef PATCHMILL_HAVE_OPENVDB
 void openvdb_mesh_to_volume(benchmark::State& state) {
-  openvdb::initialize();
   const SphereInBox solids;
   std::vector<openvdb::Vec3s> points;
   std::vector<openvdb::Vec3I> triangles;

@@ -3,6 +3,7 @@
 #include "core/voxel/laplace_level.h"
 
 #include "core/voxel/brick_halo.h"
+#include "core/voxel/row.h"
 
 #include <tbb/parallel_for.h>
 
@@ -13,25 +14,26 @@ constexpr int kInnerSweeps = 2;      // red-black sweeps in a brick at each visi
 constexpr int kCoarsestSweeps = 24;  // each way, on the single brick of the coarsest level
 using Halo = BrickHalo<float>;
 
-// One half sweep: cells whose x + y + z has the parity of `colour`. `inverse` is 0 where not
-// unknown.
+// One half sweep: cells whose x + y + z has the parity of `colour`. `inverse` is 0 where not unknown.
 PATCHMILL_VECTOR_CLONES
 void relax_colour(float* halo, const float* b, const float* inverse, int colour) {
-  static constexpr std::int32_t take[2][8] = {{-1, 0, -1, 0, -1, 0, -1, 0},
-                                              {0, -1, 0, -1, 0, -1, 0, -1}};
+  static constexpr RowMask take[2] = {{-1, 0, -1, 0, -1, 0, -1, 0}, {0, -1, 0, -1, 0, -1, 0, -1}};
   for (int k = 0; k < kBrickSide; ++k)
     for (int j = 0; j < kBrickSide; ++j) {
       float* c = halo + Halo::index(0, j, k);
-      const float* bc = b + in_brick(0, j, k);
-      const float* ic = inverse + in_brick(0, j, k);
-      const std::int32_t* mask = take[(j + k + colour) & 1];
-      float next[kBrickSide];
-      for (int i = 0; i < kBrickSide; ++i) {
-        const float sum = ((c[i - 1] + c[i + 1]) + (c[i - Halo::kRow] + c[i + Halo::kRow])) +
-                          (c[i - Halo::kSlab] + c[i + Halo::kSlab]);
-        next[i] = mask[i] ? (bc[i] + sum) * ic[i] : c[i];
-      }
-      for (int i = 0; i < kBrickSide; ++i) c[i] = next[i];
+      Row here, west, east, south, north, below, above, right, scale;
+      load_row(c, here);
+      load_row(c - 1, west);
+      load_row(c + 1, east);
+      load_row(c - Halo::kRow, south);
+      load_row(c + Halo::kRow, north);
+      load_row(c - Halo::kSlab, below);
+      load_row(c + Halo::kSlab, above);
+      load_row(b + in_brick(0, j, k), right);
+      load_row(inverse + in_brick(0, j, k), scale);
+      const Row sum = ((west + east) + (south + north)) + (below + above);
+      assign_where(take[(j + k + colour) & 1], (right + sum) * scale, here);
+      store_row(here, c);
     }
 }
 
