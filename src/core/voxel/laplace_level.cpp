@@ -95,88 +95,6 @@ void smooth_bricks(LaplaceLevel& level, SweepOrder order, bool from_zero, int sw
   }
 }
 
-void allocate(LaplaceLevel& level, int fields) {
-  const std::size_t n = level.table->cell_count();
-  level.x.assign(fields, std::vector<float>(n, 0.0f));
-  level.b.assign(fields, std::vector<float>(n, 0.0f));
-  for (std::size_t i = 0; i < level.table->size(); ++i)
-    level.checker[level.table->place[i].sum() & 1].push_back(static_cast<std::int32_t>(i));
-}
-
-// Where the 4 x 4 x 4 parents of a brick's cells are: number of the coarse brick and first index in
-// it.
-struct Parent {
-  std::size_t brick;
-  int first;
-};
-Parent parent_of(const BrickTable& fine, const BrickTable& coarse, std::size_t brick) {
-  const Cell p = fine.place[brick];
-  const std::int32_t up = coarse.find(Cell(p.x() / 2, p.y() / 2, p.z() / 2));
-  return {static_cast<std::size_t>(up),
-          in_brick(4 * (p.x() % 2), 4 * (p.y() % 2), 4 * (p.z() % 2))};
-}
-
-int count_role(const BrickHalo<CellRole>& halo, int at, CellRole role) {
-  using H = BrickHalo<CellRole>;
-  const auto is = [&](int step) { return halo.value[at + step] == role ? 1 : 0; };
-  return is(-1) + is(1) + is(-H::kRow) + is(H::kRow) + is(-H::kSlab) + is(H::kSlab);
-}
-
-// Per coarse cell: conductance to held cells, and whether it is unknown.
-struct Coarse {
-  std::vector<float> held;
-  std::vector<CellRole> role;
-};
-
-BrickTable coarse_table(const BrickTable& fine) {
-  const Cell cells((fine.cells.x() + 1) / 2, (fine.cells.y() + 1) / 2, (fine.cells.z() + 1) / 2);
-  const Cell box = brick_box(cells);
-  std::vector<std::uint8_t> wanted(std::size_t(box.x()) * box.y() * box.z(), 0);
-  for (const Cell& p : fine.place)
-    wanted[(std::size_t(p.z() / 2) * box.y() + p.y() / 2) * box.x() + p.x() / 2] = 1;
-  return make_brick_table(cells, wanted);
-}
-
-// `held_of(brick, halo index, cell index)` is the held conductance of a fine cell.
-template <class HeldOf>
-Coarse coarsen(const BrickTable& fine, const std::vector<CellRole>& role, const BrickTable& coarse,
-               float scale, const HeldOf& held_of) {
-  Coarse out{std::vector<float>(coarse.cell_count(), 0.0f),
-             std::vector<CellRole>(coarse.cell_count(), CellRole::Outside)};
-  tbb::parallel_for(std::size_t{0}, fine.size(), [&](std::size_t brick) {
-    BrickHalo<CellRole> halo;
-    load_halo(role.data(), fine, brick, halo);
-    const Parent up = parent_of(fine, coarse, brick);
-    for (int k = 0; k < kBrickSide; ++k)
-      for (int j = 0; j < kBrickSide; ++j)
-        for (int i = 0; i < kBrickSide; ++i) {
-          const int at = BrickHalo<CellRole>::index(i, j, k);
-          if (halo.value[at] != CellRole::Unknown) continue;
-          const std::size_t to = up.brick * kBrickCells + up.first + in_brick(i / 2, j / 2, k / 2);
-          out.role[to] = CellRole::Unknown;
-          out.held[to] += scale * held_of(halo, at, brick * kBrickCells + in_brick(i, j, k));
-        }
-  });
-  return out;
-}
-
-void set_diagonal(LaplaceLevel& level, Coarse& coarse) {
-  level.diagonal.assign(level.table->cell_count(), 0.0f);
-  tbb::parallel_for(std::size_t{0}, level.table->size(), [&](std::size_t brick) {
-    BrickHalo<CellRole> halo;
-    load_halo(coarse.role.data(), *level.table, brick, halo);
-    for (int k = 0; k < kBrickSide; ++k)
-      for (int j = 0; j < kBrickSide; ++j)
-        for (int i = 0; i < kBrickSide; ++i) {
-          const int at = BrickHalo<CellRole>::index(i, j, k);
-          const std::size_t cell = brick * kBrickCells + in_brick(i, j, k);
-          if (halo.value[at] != CellRole::Unknown) continue;
-          level.diagonal[cell] =
-              static_cast<float>(count_role(halo, at, CellRole::Unknown)) + coarse.held[cell];
-        }
-  });
-}
-
 }  // namespace
 
 void load_diagonal(const LaplaceLevel& level, std::size_t brick, float* diagonal) {
@@ -187,57 +105,6 @@ void load_diagonal(const LaplaceLevel& level, std::size_t brick, float* diagonal
     std::copy_n(level.diagonal.data() + first, kBrickCells, diagonal);
 }
 
-LaplaceLevel finest_level(const BrickTable& table, const std::vector<CellRole>& role, int fields) {
-  LaplaceLevel level;
-  level.table = &table;
-  level.faces.assign(table.cell_count(), 0);
-  allocate(level, fields);
-  tbb::parallel_for(std::size_t{0}, table.size(), [&](std::size_t brick) {
-    BrickHalo<CellRole> halo;
-    load_halo(role.data(), table, brick, halo);
-    for (int k = 0; k < kBrickSide; ++k)
-      for (int j = 0; j < kBrickSide; ++j)
-        for (int i = 0; i < kBrickSide; ++i) {
-          const int at = BrickHalo<CellRole>::index(i, j, k);
-          if (halo.value[at] != CellRole::Unknown) continue;
-          level.faces[brick * kBrickCells + in_brick(i, j, k)] = static_cast<std::uint8_t>(
-              count_role(halo, at, CellRole::Unknown) + count_role(halo, at, CellRole::Held));
-        }
-  });
-  return level;
-}
-
-void append_coarser_levels(std::vector<LaplaceLevel>& levels, const std::vector<CellRole>& role) {
-  const int fields = static_cast<int>(levels[0].x.size());
-  double side = 1.0;  // of a cell of the current level, in finest cells
-  Coarse below;
-  while (levels.back().table->bricks.maxCoeff() > 1) {
-    const BrickTable& fine = *levels.back().table;
-    LaplaceLevel next;
-    next.own_table = coarse_table(fine);
-    const double distance = (side + 1.0) / 2.0, coarse_distance = (2.0 * side + 1.0) / 2.0;
-    const float scale = static_cast<float>(0.5 * distance / coarse_distance);
-    Coarse here;
-    if (levels.size() == 1)
-      here = coarsen(fine, role, next.own_table, scale,
-                     [](const BrickHalo<CellRole>& halo, int at, std::size_t) {
-                       return static_cast<float>(count_role(halo, at, CellRole::Held));
-                     });
-    else
-      here = coarsen(
-          fine, below.role, next.own_table, scale,
-          [&](const BrickHalo<CellRole>&, int, std::size_t cell) { return below.held[cell]; });
-    below = std::move(here);
-    next.table = &next.own_table;
-    set_diagonal(next, below);
-    allocate(next, fields);
-    levels.push_back(std::move(next));
-    levels.back().table = &levels.back().own_table;
-    side *= 2.0;
-  }
-  for (std::size_t l = 1; l < levels.size(); ++l) levels[l].table = &levels[l].own_table;
-}
-
 void smooth(LaplaceLevel& level, SweepOrder order, bool from_zero) {
   smooth_bricks(level, order, from_zero, kInnerSweeps);
 }
@@ -246,7 +113,7 @@ void restrict_residual(const LaplaceLevel& fine, LaplaceLevel& coarse) {
   tbb::parallel_for(std::size_t{0}, fine.table->size(), [&](std::size_t brick) {
     alignas(64) float diagonal[kBrickCells], residual[kBrickCells];
     load_diagonal(fine, brick, diagonal);
-    const Parent up = parent_of(*fine.table, *coarse.table, brick);
+    const CoarseOctant up = octant_of(*fine.table, *coarse.table, brick);
     for (std::size_t f = 0; f < fine.x.size(); ++f) {
       Halo halo;
       load_halo(fine.x[f].data(), *fine.table, brick, halo);
@@ -268,7 +135,7 @@ void prolong_correction(const LaplaceLevel& coarse, LaplaceLevel& fine) {
   tbb::parallel_for(std::size_t{0}, fine.table->size(), [&](std::size_t brick) {
     alignas(64) float diagonal[kBrickCells];
     load_diagonal(fine, brick, diagonal);
-    const Parent up = parent_of(*fine.table, *coarse.table, brick);
+    const CoarseOctant up = octant_of(*fine.table, *coarse.table, brick);
     for (std::size_t f = 0; f < fine.x.size(); ++f) {
       const float* from = coarse.x[f].data() + up.brick * kBrickCells + up.first;
       float* x = fine.x[f].data() + brick * kBrickCells;

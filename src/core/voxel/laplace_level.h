@@ -63,6 +63,19 @@ void v_cycle(std::vector<LaplaceLevel>& levels);
 /// Diagonal of one brick as 512 floats.
 void load_diagonal(const LaplaceLevel& level, std::size_t brick, float* diagonal);
 
+/// Where the 4 x 4 x 4 parents of a brick's cells are: the coarse brick and the first index in it.
+// it.
+struct CoarseOctant {
+  std::size_t brick;
+  int first;
+};
+inline CoarseOctant octant_of(const BrickTable& fine, const BrickTable& coarse, std::size_t brick) {
+  const Cell p = fine.place[brick];
+  const std::int32_t up = coarse.find(Cell(p.x() / 2, p.y() / 2, p.z() / 2));
+  return {static_cast<std::size_t>(up),
+          in_brick(4 * (p.x() % 2), 4 * (p.y() % 2), 4 * (p.z() % 2))};
+}
+
 /// Bytes that a solve of `fields` fields takes, for `bricks` stored bricks, besides the solution.
 std::size_t laplace_bytes(std::size_t bricks, int fields);
 
