@@ -1,13 +1,78 @@
 // Texture planes, patch division and dimples for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "core/patch/division.h"
+#include "core/geometry/error.h"
+#include "core/patch/boundary.h"
+#include "core/patch/cover.h"
+#include "core/patch/patch_surface.h"
 
 namespace patchmill {
 namespace {
 
-SquareDivision division_of(double spacing, int side, int patches_x, int patches_y, bool outward) {
-  return {spacing, side, patches_x, patches_y, outward ? HelixOrder::Outward : HelixOrder::Inward};
+template <class T>
+T choose(const char* property, const std::string& given,
+         const std::vector<std::pair<const char*, T>>& choices) {
+  std::string all;
+  for (const auto& [text, value] : choices) {
+    if (given == text) return value;
+    all += (all.empty() ? "" : ", ") + std::string(text);
+  }
+  throw InputError(property, "'" + given + "'", "give one of: " + all + ".");
+}
+
+PatchPattern pattern_of(const std::string& shape, double spacing, int size,
+                        const std::string& order, const std::string& start) {
+  PatchPattern pattern;
+  pattern.shape = choose<PatchShape>("PatchShape", shape,
+                                     {{"Square", PatchShape::Square},
+                                      {"Hexagon", PatchShape::Hexagon},
+                                      {"Triangle", PatchShape::Triangle}});
+  pattern.order = choose<HelixOrder>(
+      "HelixOrder", order, {{"Inward", HelixOrder::Inward}, {"Outward", HelixOrder::Outward}});
+  pattern.start = choose<HelixStart>(
+      "HelixStart", start,
+      {{"Same corner", HelixStart::SameCorner}, {"Nearest corner", HelixStart::NearestCorner}});
+  pattern.spacing = spacing;
+  pattern.size = size;
+  require_valid(pattern);
+  return pattern;
+}
+
+PatchSurface surface_of(const std::string& kind, const std::string& fit, double height_factor,
+                        double apex_lift) {
+  PatchSurface surface;
+  surface.kind = choose<SurfaceKind>("SurfaceKind", kind,
+                                     {{"Planar", SurfaceKind::Planar},
+                                      {"Pyramid", SurfaceKind::Pyramid},
+                                      {"Curved", SurfaceKind::Curved}});
+  surface.fit = choose<PlaneFit>("PlaneFit", fit,
+                                 {{"Best fit", PlaneFit::BestFit}, {"Corners", PlaneFit::Corners}});
+  surface.height_factor = height_factor;
+  surface.apex_lift = apex_lift;
+  return surface;
+}
+
+py::array_t<double> polygon_array(const Polygon& polygon) {
+  py::array_t<double> array({static_cast<py::ssize_t>(polygon.size()), py::ssize_t{2}});
+  auto out = array.mutable_unchecked<2>();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    out(py::ssize_t(i), 0) = polygon[i].x();
+    out(py::ssize_t(i), 1) = polygon[i].y();
+  }
+  return array;
+}
+
+py::list outline_list(const PatchDivision& division) {
+  py::list list;
+  for (const Polygon& outline : outlines(division)) list.append(polygon_array(outline));
+  return list;
+}
+
+py::array_t<double> places_of(const PatchDivision& division, const Dimples& dimples) {
+  Polygon places;
+  places.reserve(dimples.size());
+  for (const Dimple& dimple : dimples) places.push_back(place(division, dimple.lattice));
+  return polygon_array(places);
 }
 
 py::dict counts_dict(const Dimples& dimples) {
@@ -16,18 +81,6 @@ py::dict counts_dict(const Dimples& dimples) {
   for (int s = 0; s < kDimpleStates; ++s)
     d[name(static_cast<DimpleState>(s))] = counts[static_cast<std::size_t>(s)];
   return d;
-}
-
-py::array_t<double> outline_array(const SquareDivision& division) {
-  const auto all = outlines(division);
-  py::array_t<double> array({static_cast<py::ssize_t>(all.size()), py::ssize_t{4}, py::ssize_t{2}});
-  auto out = array.mutable_unchecked<3>();
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t k = 0; k < 4; ++k) {
-      out(py::ssize_t(i), py::ssize_t(k), 0) = all[i][k].x();
-      out(py::ssize_t(i), py::ssize_t(k), 1) = all[i][k].y();
-    }
-  return array;
 }
 
 void bind_dimples(py::module_& m) {
@@ -71,6 +124,37 @@ void bind_dimples(py::module_& m) {
   });
 }
 
+void bind_division(py::module_& m) {
+  py::class_<PatchPattern>(m, "PatchPattern", "Shape, spacing [mm], size and helix of patches.")
+      .def(py::init(&pattern_of), py::arg("shape"), py::arg("spacing"), py::arg("size"),
+           py::arg("order") = "Inward", py::arg("start") = "Same corner")
+      .def_readonly("spacing", &PatchPattern::spacing)
+      .def_readonly("size", &PatchPattern::size);
+  py::class_<PatchSurface>(m, "PatchSurface", "Planar, pyramid or curved patches.")
+      .def(py::init(&surface_of), py::arg("kind"), py::arg("fit") = "Best fit",
+           py::arg("height_factor") = 1.0, py::arg("apex_lift") = 0.0);
+  py::class_<PatchDivision>(m, "PatchDivision", "Patches in milling order.")
+      .def("__len__", [](const PatchDivision& d) { return d.cells.size(); })
+      .def_readonly("pattern", &PatchDivision::pattern)
+      .def("outlines", &outline_list, "Corners of each patch in the texture plane [mm], (k, 2).")
+      .def("places", &places_of, py::arg("dimples"),
+           "Texture-plane coordinates [mm] of each lattice point, (n, 2).");
+  m.def(
+      "cover",
+      [](const PatchPattern& pattern, const Vec2& low, const Vec2& high) {
+        return cover(pattern, Box2(low, high));
+      },
+      py::arg("pattern"), py::arg("low"), py::arg("high"),
+      "The patches that overlap the rectangle from `low` to `high` [mm].");
+  m.def(
+      "patch_block",
+      [](const PatchPattern& pattern, int nx, int ny) { return patch_block(pattern, nx, ny); },
+      py::arg("pattern"), py::arg("patches_x"), py::arg("patches_y"),
+      "A block of patches centred on the texture plane's origin.");
+  m.def("drop_slivers", &drop_slivers, py::arg("dimples"), py::arg("least"),
+        "Leaves out the dimples of patches that have fewer than `least`.");
+}
+
 }  // namespace
 
 void bind_patch(py::module_& m) {
@@ -82,22 +166,7 @@ void bind_patch(py::module_& m) {
   m.def("texture_plane", &texture_plane, py::arg("origin"), py::arg("direction"), py::arg("x_hint"),
         py::arg("rotation") = 0.0,
         "A plane at right angles to `direction`, turned by `rotation` [rad].");
-  py::class_<SquareDivision>(m, "SquareDivision",
-                             "Square patches of side x side dimples, `spacing` [mm] apart.")
-      .def(py::init(&division_of), py::arg("spacing"), py::arg("side"), py::arg("patches_x"),
-           py::arg("patches_y"), py::arg("outward") = false)
-      .def_readonly("spacing", &SquareDivision::spacing)
-      .def_readonly("side", &SquareDivision::side)
-      .def_readonly("patches_x", &SquareDivision::patches_x)
-      .def_readonly("patches_y", &SquareDivision::patches_y)
-      .def("outlines", &outline_array, "Corners in the texture plane [mm], (patches, 4, 2).");
-  m.def(
-      "patches_to_cover",
-      [](double spacing, int side, double width, double height) {
-        return patches_to_cover(division_of(spacing, side, 1, 1, false), width, height);
-      },
-      py::arg("spacing"), py::arg("side"), py::arg("width"), py::arg("height"),
-      "(patches along x, along y) that cover width x height [mm].");
+  bind_division(m);
   bind_dimples(m);
 }
 

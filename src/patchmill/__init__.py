@@ -15,9 +15,11 @@ from _patchmill import InputError  # noqa: F401
 
 # Names that need FreeCAD's Path module are imported when first used, so that `import patchmill` is cheap.
 _LAZY = {
+    "PlanarTexture": ("patchmill.planar_texture", None),
+    "PyramidTexture": ("patchmill.pyramid_texture", None),
     "CurvedTexture": ("patchmill.curved_texture", None),
-    "planned": ("patchmill.curved_texture", "planned"),
-    "recompute": ("patchmill.curved_texture", "recompute"),
+    "planned": ("patchmill.texture_operation", "planned"),
+    "recompute": ("patchmill.texture_operation", "recompute"),
     "post": ("patchmill.posting", "post"),
     "write_report": ("patchmill.report", "write_report"),
 }

@@ -12,20 +12,16 @@ from matplotlib.collections import PolyCollection  # noqa: E402
 from mpl_toolkits.mplot3d.art3d import Line3DCollection  # noqa: E402
 
 # One colour per dimple state; readable for colour-blind eyes and in print.
-STATE_COLOURS = {"cut": "#1f77b4", "tool tip": "#d62728", "too steep": "#ff7f0e", "off the face": "#7f7f7f"}
-
-
-def _in_plane(plan, points):
-    """Texture-plane coordinates [mm] of points (n, 3), along the plane's axes."""
-    q = points - plan.plane.origin
-    return np.column_stack([q @ plan.plane.x_axis, q @ plan.plane.y_axis])
-
-
-def _lattice_places(plan):
-    """Texture-plane coordinates of all lattice points, also of those off the faces."""
-    d = plan.division
-    count = np.array([d.side * d.patches_x, d.side * d.patches_y])
-    return d.spacing * (plan.dimples.lattice[:, :2] - 0.5 * (count - 1))
+STATE_COLOURS = {
+    "cut": "#1f77b4",
+    "tool tip": "#d62728",
+    "too steep": "#ff7f0e",
+    "undercut": "#8c564b",
+    "near an edge": "#e377c2",
+    "sliver": "#9467bd",
+    "masked": "#bcbd22",
+    "off the face": "#c7c7c7",
+}
 
 
 def _draw_states(axes, plan, places, size, chosen):
@@ -53,12 +49,12 @@ def _outlines(axes, plan):
 def draw_dimples(plan, filename):
     """All dimples by state over the patches; one patch enlarged, in milling order. Returns filename."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(14, 7.6))
-    places = _lattice_places(plan)
+    places = plan.division.places(plan.dimples)
     everything = np.ones(len(places), bool)
-    per_mm = plan.division.spacing / max(1e-9, np.ptp(places, axis=0).max())
+    per_mm = plan.input.spacing / max(1e-9, np.ptp(places, axis=0).max())
     _draw_states(left, plan, places, max(0.5, (330 * per_mm) ** 2), everything)
     _outlines(left, plan)
-    left.set_title("Dimples over %d patches" % len(plan.division.outlines()))
+    left.set_title("Dimples over %d patches" % len(plan.division))
     left.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), ncol=3, markerscale=4, frameon=False)
 
     patches = plan.dimples.patches
@@ -68,7 +64,7 @@ def draw_dimples(plan, filename):
     _draw_states(right, plan, places, 40, chosen)
     _outlines(right, plan)
     low, high = places[chosen].min(axis=0), places[chosen].max(axis=0)
-    margin = 1.6 * plan.division.spacing
+    margin = 1.6 * plan.input.spacing
     right.set_xlim(low[0] - margin, high[0] + margin)
     right.set_ylim(low[1] - margin, high[1] + margin)
     neighbours = ~chosen

@@ -12,7 +12,7 @@ import _patchmill as core
 from _patchmill import InputError
 
 from patchmill import host
-from patchmill.curved_texture import ObjectCurvedTexture, planned
+from patchmill.texture_operation import ObjectTexture, planned
 
 
 @dataclass
@@ -36,7 +36,7 @@ def post(job, filename, post_name=None, arguments=None):
     if not post_name:
         raise InputError("PostProcessor", "''", "choose a post-processor for the job.")
     operations = _active_operations(job)
-    textures = [op for op in operations if isinstance(op.Proxy, ObjectCurvedTexture)]
+    textures = [op for op in operations if isinstance(op.Proxy, ObjectTexture)]
     plans = [planned(op) for op in textures]
     for op, plan in zip(textures, plans):
         _check_arguments(plan, shlex.split(arguments))
@@ -84,11 +84,6 @@ def _single_text(job, post_name, arguments):
     if not parts[0].strip():
         raise InputError("PostProcessor", post_name, "the post-processor wrote nothing.")
     return parts[0]
-
-
-def read_text(text, tool):
-    """Sections of a posted program; `tool` is a _patchmill.BallEndMill."""
-    return core.read_gcode(text, tool)
 
 
 def _read_back(text, operations, plans):

@@ -26,7 +26,11 @@ def report_data(posted, plan, gcode):
         "program": os.path.basename(gcode),
         "strategy": "constant feed (Xu & Sasahara 2016)",
         "dimples": {"tried": len(plan.dimples), "by_state": plan.counts},
-        "patches": {"x": plan.division.patches_x, "y": plan.division.patches_y, "side": given.patch_side},
+        "patches": {
+            "shape": given.patch_shape,
+            "count": len(plan.division),
+            "side": given.patch_side,
+        },
         "spacing_mm": given.spacing,
         "tool": {"ball_diameter_mm": 2 * given.tool.radius, "flutes": given.tool.flutes},
         "spindle": {"rpm": round(60 * given.spindle.speed, 6), "sense": given.spindle.sense},
@@ -109,7 +113,7 @@ def _rows(data):
     yield "Tool", "ball end mill Ø%(ball_diameter_mm)g mm, %(flutes)d flutes" % data["tool"]
     yield "Spindle", "S%(rpm)g %(sense)s" % data["spindle"]
     yield "Feed", "%.3f mm/min" % data["feed_mm_min"]
-    yield "Patches", "%(x)d × %(y)d of %(side)d × %(side)d dimples" % data["patches"]
+    yield "Patches", "%(count)d, %(shape)s, %(side)d dimples a side" % data["patches"]
     yield "Spacing", "%g mm" % data["spacing_mm"]
     for state, count in data["dimples"]["by_state"].items():
         yield ("Dimples" if state == "cut" else "Left out: " + state), "{:,}".format(count)

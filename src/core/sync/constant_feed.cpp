@@ -67,7 +67,8 @@ std::vector<Planned> plan(const Dimples& dimples, double radius, const Decimals&
     const Dimple& dimple = dimples[k];
     if (dimple.state != DimpleState::Cut) continue;
     const Vec3& n = dimple.surface.normal;
-    const Vec3 tip = dimple.surface.position + radius * (n - Vec3::UnitZ());
+    const Vec3 centre = dimple.surface.position + (radius - dimple.depth) * n;
+    const Vec3 tip = centre - radius * Vec3::UnitZ();
     planned.push_back(
         {decimals.round(tip), n, contact_azimuth(n), static_cast<std::int32_t>(k), dimple.patch});
   }
