@@ -1,0 +1,160 @@
+// Newton projection on one face; see face_sampler.h for the method.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "brep/face_projection.h"
+
+#include "core/geometry/angle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <gp_Lin.hxx>
+
+namespace patchmill {
+namespace {
+
+// Half length of the ray given to the intersector [mm].
+constexpr double kRay = 1e6;
+// Residual [mm] from which one linear step is exact, and the normal taken before it is too.
+constexpr double kNearEnough = 1e-9;
+constexpr int kMostSteps = 20;
+
+Vec3 vec(const gp_XYZ& p) {
+  return {p.X(), p.Y(), p.Z()};
+}
+gp_Pnt pnt(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+// Cells that a parameter direction takes to begin with: a few per polynomial piece, one per 15
+// degrees.
+int first_cells(const Adaptor3d_Surface& s, bool u) {
+  switch (s.GetType()) {
+    case GeomAbs_Plane:
+      return 2;
+    case GeomAbs_Cylinder:
+    case GeomAbs_Cone:
+    case GeomAbs_Sphere:
+    case GeomAbs_Torus: {
+      const double range =
+          u ? s.LastUParameter() - s.FirstUParameter() : s.LastVParameter() - s.FirstVParameter();
+      const bool angular = u || s.GetType() == GeomAbs_Sphere || s.GetType() == GeomAbs_Torus;
+      return angular ? static_cast<int>(std::ceil(range / (kPi / 12.0))) : 2;
+    }
+    default:
+      return 4 * (u ? s.NbUIntervals(GeomAbs_C2) : s.NbVIntervals(GeomAbs_C2));
+  }
+}
+
+}  // namespace
+
+ObliqueFrame::ObliqueFrame(const TexturePlane& plane) : origin(plane.origin) {
+  Eigen::Matrix3d columns;
+  columns << plane.x_axis, plane.y_axis, plane.direction;
+  inverse = columns.inverse();
+}
+
+FaceProjection::FaceProjection(const TopoDS_Face& face, const TexturePlane& plane)
+    : frame_(plane),
+      plane_(plane),
+      surface_(face, false),
+      reversed_(face.Orientation() == TopAbs_REVERSED),
+      trim_(face),
+      box_{trim_.u_min(), trim_.u_max(), trim_.v_min(), trim_.v_max()},
+      seeds_([this](double u, double v) { return plan(u, v); }, box_, first_cells(surface_, true),
+             first_cells(surface_, false)),
+      intersector_(face, Precision::Confusion()) {}
+
+Vec2 FaceProjection::plan(double u, double v) const {
+  return frame_.coordinates(vec(surface_.Value(u, v).XYZ())).head<2>();
+}
+
+FaceProjection::Worker FaceProjection::worker() const {
+  return {surface_.ShallowCopy(), {}};
+}
+
+// One ray from one seed. Left: the iteration went off the parameter rectangle, so there is nothing
+// near.
+FaceProjection::Outcome FaceProjection::newton(const Vec2& q, const Seed& seed, Worker& worker,
+                                               Seed& root, Hit& hit) const {
+  const double margin_u = 0.05 * (box_.u1 - box_.u0), margin_v = 0.05 * (box_.v1 - box_.v0);
+  double u = seed.u, v = seed.v;
+  gp_Pnt p;
+  gp_Vec pu, pv;
+  for (int i = 0; i < kMostSteps; ++i) {
+    worker.surface->D1(u, v, p, pu, pv);
+    const Vec3 at = frame_.coordinates(vec(p.XYZ()));
+    const Vec3 su = frame_.along(vec(pu.XYZ())), sv = frame_.along(vec(pv.XYZ()));
+    const double ru = q.x() - at.x(), rv = q.y() - at.y();
+    const double det = su.x() * sv.y() - su.y() * sv.x();
+    const double size = su.norm() * sv.norm();
+    if (!(std::abs(det) > 1e-9 * size)) return Outcome::Failed;
+    const double du = (ru * sv.y() - rv * sv.x()) / det, dv = (su.x() * rv - su.y() * ru) / det;
+    u += du;
+    v += dv;
+    if (std::abs(ru) + std::abs(rv) < kNearEnough) {
+      const Vec3 normal = vec(pu.XYZ()).cross(vec(pv.XYZ()));
+      root = {u, v};
+      hit.depth = at.z() + du * su.z() + dv * sv.z();
+      hit.point.position = plane_.at(q) + hit.depth * plane_.direction;
+      hit.point.normal = (reversed_ ? -1.0 : 1.0) * normal.normalized();
+      return Outcome::Converged;
+    }
+    if (u < box_.u0 - margin_u || u > box_.u1 + margin_u || v < box_.v0 - margin_v ||
+        v > box_.v1 + margin_v)
+      return Outcome::Left;
+  }
+  return Outcome::Failed;
+}
+
+std::optional<Hit> FaceProjection::first_hit(const Vec2& q, Worker& worker) const {
+  worker.seeds.clear();
+  seeds_.seeds(q, worker.seeds);
+  std::optional<Hit> first;
+  bool failed = false;
+  for (const Seed& seed : worker.seeds) {
+    Seed root;
+    Hit hit;
+    const Outcome outcome = newton(q, seed, worker, root, hit);
+    if (outcome == Outcome::Failed) failed = true;
+    if (outcome != Outcome::Converged || (first && hit.depth >= first->depth)) continue;
+    if (trim_.inside(root.u, root.v)) first = hit;
+  }
+  if (!failed) return first;
+  const std::optional<Hit> asked = ask_intersector(q, worker);
+  return asked && (!first || asked->depth < first->depth) ? asked : first;
+}
+
+std::optional<Hit> FaceProjection::ask_intersector(const Vec2& q, Worker& worker) const {
+  ++fallbacks_;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Vec3 from = plane_.at(q);
+  const gp_Dir direction(plane_.direction.x(), plane_.direction.y(), plane_.direction.z());
+  intersector_.Perform(gp_Lin(pnt(from), direction), -kRay, kRay);
+  std::optional<Hit> first;
+  if (!intersector_.IsDone()) return first;
+  for (int k = 1; k <= intersector_.NbPnt(); ++k) {
+    const Seed found{intersector_.UParameter(k), intersector_.VParameter(k)};
+    Seed root;
+    Hit hit;
+    if (newton(q, found, worker, root, hit) != Outcome::Converged) {
+      hit.depth = intersector_.WParameter(k);
+      hit.point = {from + hit.depth * plane_.direction, normal_near(found, worker)};
+    }
+    if (!first || hit.depth < first->depth) first = hit;
+  }
+  return first;
+}
+
+// The normal at a place where the parametrisation may be degenerate (a pole): a hair's breadth
+// inside.
+Vec3 FaceProjection::normal_near(const Seed& at, Worker& worker) const {
+  const double u_middle = 0.5 * (box_.u0 + box_.u1), v_middle = 0.5 * (box_.v0 + box_.v1);
+  gp_Pnt p;
+  gp_Vec pu, pv;
+  worker.surface->D1(at.u + 1e-7 * (u_middle - at.u), at.v + 1e-7 * (v_middle - at.v), p, pu, pv);
+  return (reversed_ ? -1.0 : 1.0) * vec(pu.XYZ()).cross(vec(pv.XYZ())).normalized();
+}
+
+}  // namespace patchmill

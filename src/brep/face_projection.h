@@ -1,0 +1,72 @@
+// One trimmed face as seen along the projection direction; FaceSampler's workhorse.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "brep/seed_grid.h"
+#include "brep/trim_grid.h"
+#include "core/patch/dimple.h"
+#include "core/patch/texture_plane.h"
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <IntCurvesFace_Intersector.hxx>
+
+namespace patchmill {
+
+/// Coordinates (x, y, depth) with  P = origin + x x_axis + y y_axis + depth direction. The
+/// direction need not be at right angles to the plane.
+struct ObliqueFrame {
+  explicit ObliqueFrame(const TexturePlane& plane);
+  Vec3 coordinates(const Vec3& p) const { return inverse * (p - origin); }
+  Vec3 along(const Vec3& v) const { return inverse * v; }
+  Vec3 origin;
+  Eigen::Matrix3d inverse;
+};
+
+struct Hit {
+  SurfacePoint point;
+  double depth;  ///< along the direction, from the texture plane [mm]
+};
+
+class FaceProjection {
+ public:
+  FaceProjection(const TopoDS_Face& face, const TexturePlane& plane);
+
+  /// State of one worker: a surface evaluator of its own, since OpenCASCADE's cache spans.
+  struct Worker {
+    Handle(Adaptor3d_Surface) surface;
+    std::vector<Seed> seeds;
+  };
+  Worker worker() const;
+
+  /// First place, by depth, where the ray through texture-plane point `q` meets the trimmed face.
+  std::optional<Hit> first_hit(const Vec2& q, Worker& worker) const;
+
+  Vec2 low() const { return seeds_.low(); }
+  Vec2 high() const { return seeds_.high(); }
+  long fallbacks() const { return fallbacks_; }
+
+ private:
+  enum class Outcome { Converged, Left, Failed };
+  Outcome newton(const Vec2& q, const Seed& seed, Worker& worker, Seed& root, Hit& hit) const;
+  std::optional<Hit> ask_intersector(const Vec2& q, Worker& worker) const;
+  Vec3 normal_near(const Seed& at, Worker& worker) const;
+  Vec2 plan(double u, double v) const;
+
+  ObliqueFrame frame_;
+  TexturePlane plane_;
+  BRepAdaptor_Surface surface_;
+  bool reversed_;
+  TrimGrid trim_;
+  ParameterBox box_;
+  SeedGrid seeds_;
+  mutable std::mutex mutex_;
+  mutable IntCurvesFace_Intersector intersector_;  // guarded by mutex_
+  mutable std::atomic<long> fallbacks_{0};
+};
+
+}  // namespace patchmill

@@ -1,0 +1,64 @@
+// Points and normals on trimmed B-rep faces along a direction: the projection of Xu & Sasahara
+// 2016, section 2.2, for any surface and any direction. For a point q of the texture plane, solve
+//     S(u, v) = q + lambda d
+// by Newton's method on the surface's first derivatives, from seeds that a grid of flat cells gives
+// (several where the surface folds), keep the solutions inside the trimming, and of them the first
+// that the ray meets. Where Newton does not converge, OpenCASCADE's own intersector is asked.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/geometry/angle.h"
+#include "core/geometry/progress.h"
+#include "core/patch/dimple.h"
+#include "core/patch/texture_plane.h"
+
+#include <memory>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+
+namespace patchmill {
+
+class FaceProjection;
+
+/// What a ray of the projection meets first.
+struct SurfaceHit {
+  SurfacePoint point;
+  int face = -1;                             ///< index of the face, -1 if none is met
+  DimpleState state = DimpleState::OffFace;  ///< Cut, OffFace or TooSteep
+};
+
+class FaceSampler {
+ public:
+  /// `steepest`: greatest angle between the normal out of the material and -direction that may be
+  /// cut; in (0, 90) degrees. Errors: InputError naming Base (no face, or a face without a surface)
+  /// or SteepestSlope.
+  FaceSampler(const std::vector<TopoDS_Face>& faces, const TexturePlane& plane, Angle steepest);
+  ~FaceSampler();
+  FaceSampler(FaceSampler&&) noexcept;
+  FaceSampler& operator=(FaceSampler&&) noexcept;
+
+  /// Projects points of the texture plane [mm]. Result i belongs to point i, whatever the number of
+  /// threads. Positions are exact to 1e-9 mm along the plane. Returns an empty vector if `progress`
+  /// asked for a stop.
+  std::vector<SurfaceHit> sample(const std::vector<Vec2>& points,
+                                 const Progress& progress = {}) const;
+
+  /// Projects each dimple's place `places[i]` and sets surface and state. Returns false, with the
+  /// dimples unchanged, if stopped.
+  bool sample(const std::vector<Vec2>& places, Dimples& dimples,
+              const Progress& progress = {}) const;
+
+  /// Rectangle of the texture plane that the faces cover: {least, greatest} coordinates [mm].
+  std::pair<Vec2, Vec2> extent() const;
+
+  /// How many points of the last calls needed OpenCASCADE's intersector.
+  long fallbacks() const;
+
+ private:
+  TexturePlane plane_;
+  double least_cosine_;
+  std::vector<std::unique_ptr<FaceProjection>> faces_;
+};
+
+}  // namespace patchmill

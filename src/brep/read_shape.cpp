@@ -1,0 +1,34 @@
+// Reading BREP text; see read_shape.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "brep/read_shape.h"
+
+#include "core/geometry/error.h"
+
+#include <sstream>
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+namespace patchmill {
+
+std::vector<TopoDS_Face> read_faces(const std::string& brep) {
+  TopoDS_Shape shape;
+  try {
+    std::istringstream in(brep);
+    BRepTools::Read(shape, in, BRep_Builder());
+  } catch (const Standard_Failure& e) {
+    throw InputError("Base", e.GetMessageString(), "the shape could not be read: repair it.");
+  }
+  if (shape.IsNull()) throw InputError("Base", "no shape", "select a face of the model.");
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
+    faces.push_back(TopoDS::Face(e.Current()));
+  if (faces.empty())
+    throw InputError("Base", "a shape without faces", "select a face, not an edge or a vertex.");
+  return faces;
+}
+
+}  // namespace patchmill

@@ -1,0 +1,46 @@
+// From posted G-code back to ToolPath, so that a claim about a program is a claim about the text
+// that the machine gets. Reads the plain dialect of RS-274 that FreeCAD's posts write for
+// three-axis paths.
+//     G94: t = length / F        G93: t = 1 / F min        G33: turns = length / K
+// and spindle turns = t S. A word that is not known is refused, never skipped.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/path/tool_path.h"
+
+#include <string_view>
+
+namespace patchmill {
+
+/// A stretch of a program with one tool, spindle speed and sense.
+struct ProgramSection {
+  int tool_number = 0;
+  ToolPath path;            ///< tool: radius as given, axis +Z; dimple numbers are unset
+  std::vector<long> lines;  ///< line of the text (from 1) that made each move
+};
+
+struct Program {
+  std::vector<ProgramSection> sections;  ///< those with moves
+};
+
+/// Reads `text`. G1 moves are MoveKind::Cut (the text does not tell links apart, see match_plan),
+/// G0 moves Rapid with unknown turns; so are timed moves while the spindle stands, and moves whose
+/// feed was never given are refused. Blocks that move nothing and take no time are no moves. The
+/// first position counts as known once X, Y and Z were all given; moves before that have unknown
+/// turns. Errors: InputError "G-code line n" for anything not understood: arcs, cycles, G91, rotary
+/// words other than 0, variables, unknown codes.
+Program read_gcode(std::string_view text, const BallEndMill& tool);
+
+struct PlanMatch {
+  bool complete = false;         ///< every timed move of the plan was found, in order
+  std::int64_t found = 0;        ///< dimples found before the first move that was not
+  double largest_miss = 0.0;     ///< distance of a found move's end from the planned one [mm]
+  std::int64_t extra_moves = 0;  ///< timed moves of the text that the plan does not have
+  std::int64_t lost_moves = 0;   ///< timed moves of the plan from the first one that the text lacks
+};
+
+/// Gives the moves of `read` the kinds and dimple numbers of `plan`, by going through both in order
+/// and pairing moves whose ends are within `tolerance` [mm].
+PlanMatch match_plan(ToolPath& read, const ToolPath& plan, double tolerance);
+
+}  // namespace patchmill

@@ -1,0 +1,174 @@
+// Constant-feed polygons and links; see constant_feed.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/sync/constant_feed.h"
+
+#include "core/sync/contact_azimuth.h"
+#include "core/sync/fit_length.h"
+#include "core/sync/link.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace patchmill {
+namespace {
+
+constexpr double kGoodFit = 2e-5;  // mm of length: 0.017 degrees at the paper's F and S
+
+// Appends moves and keeps the account of turns: what the phase rule has asked for so far, and what
+// the rounded path has really taken.
+class PathBuilder {
+ public:
+  PathBuilder(ToolPath& path, double turns_per_mm, double safe_height)
+      : path_(path), turns_per_mm_(turns_per_mm), safe_height_(safe_height) {}
+
+  const Vec3& at() const { return at_; }
+  /// Length that the next step must have so that no error is carried on [mm].
+  double length_for(double turns) const { return (owed_ + turns) / turns_per_mm_; }
+  void owe(double turns) { owed_ += turns; }
+  /// Reduces what is owed by whole periods.
+  void forgive(double period) { owed_ -= std::round(owed_ / period) * period; }
+
+  void rapid(const Vec3& tip) {
+    path_.moves.push_back({pose(tip), kUnknownTurns, kNoDimple, MoveKind::Rapid});
+    at_ = tip;
+  }
+  void timed(const Vec3& tip, MoveKind kind, std::int32_t dimple = kNoDimple) {
+    if (kind == MoveKind::Cut && tip.z() > safe_height_)
+      throw InputError("SafeHeight", fmt::format("{} mm", safe_height_),
+                       fmt::format("the tool reaches Z {:.3f} mm between dimples: give a greater "
+                                   "safe height.",
+                                   tip.z()));
+    const double turns = (tip - at_).norm() * turns_per_mm_;
+    path_.moves.push_back({pose(tip), turns, dimple, kind});
+    owed_ -= turns;
+    at_ = tip;
+  }
+
+ private:
+  static ToolPose pose(const Vec3& tip) { return {tip, Vec3::UnitZ()}; }
+  ToolPath& path_;
+  double turns_per_mm_, safe_height_;
+  Vec3 at_ = Vec3::Zero();
+  double owed_ = 0.0;
+};
+
+struct Planned {
+  Vec3 tip;  // on the decimals
+  Vec3 normal;
+  Angle azimuth;
+  std::int32_t number, patch;
+};
+
+std::vector<Planned> plan(const Dimples& dimples, double radius, const Decimals& decimals) {
+  std::vector<Planned> planned;
+  planned.reserve(dimples.size());
+  for (std::size_t k = 0; k < dimples.size(); ++k) {
+    const Dimple& dimple = dimples[k];
+    if (dimple.state != DimpleState::Cut) continue;
+    const Vec3& n = dimple.surface.normal;
+    const Vec3 tip = dimple.surface.position + radius * (n - Vec3::UnitZ());
+    planned.push_back(
+        {decimals.round(tip), n, contact_azimuth(n), static_cast<std::int32_t>(k), dimple.patch});
+  }
+  if (planned.empty())
+    throw InputError("Dimples", "0",
+                     "every lattice point was left out: see the counts by reason, and change the "
+                     "faces, the limits or the tool axis.");
+  return planned;
+}
+
+void require_valid(const ConstantFeed& rule, const BallEndMill& tool, const Spindle& spindle) {
+  require_positive("Feed", rule.feed * 60.0, "mm/min");
+  require_positive("SpindleSpeed", spindle.speed * 60.0, "rpm");
+  require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
+  require_valid(rule.phase, tool.flutes);
+  if (!(rule.clearance_height >= rule.safe_height))
+    throw InputError("ClearanceHeight", fmt::format("{} mm", rule.clearance_height),
+                     fmt::format("give at least the safe height, {} mm.", rule.safe_height));
+}
+
+void step(PathBuilder& build, const Planned& a, const Planned& b, double turns, double feed,
+          double turns_per_mm, const Decimals& decimals) {
+  const double length = build.length_for(turns), distance = (b.tip - a.tip).norm();
+  if (length < distance)
+    throw InputError(
+        "Feed", fmt::format("{:.3f} mm/min", feed * 60.0),
+        fmt::format(
+            "{:.3f} turns take the tool {:.4f} mm, and dimple {} is {:.4f} mm away: give at "
+            "least {:.3f} mm/min, or more extra turns.",
+            turns, turns / turns_per_mm, b.number, distance, 60.0 * feed * distance / length));
+  const Vec3 ideal = apex(a.tip, b.tip, a.normal + b.normal, length);
+  build.owe(turns);
+  build.timed(fit_corner(a.tip, ideal, b.tip, length, decimals, kGoodFit), MoveKind::Cut);
+  build.timed(b.tip, MoveKind::Cut, b.number);
+}
+
+void link(PathBuilder& build, const Planned& b, double turns, double period, double turns_per_mm,
+          double safe_height, const Decimals& decimals) {
+  const LinkRequest request{build.at(), b.tip, safe_height, build.length_for(turns),
+                            period / turns_per_mm};
+  const auto corners = link_corners(request, decimals);
+  build.owe(turns);
+  build.timed(corners[0], MoveKind::Link);
+  build.timed(corners[1], MoveKind::Link);
+  build.timed(b.tip, MoveKind::Link, b.number);
+  build.forgive(period);
+}
+
+}  // namespace
+
+double posted_feed(double feed, const Decimals& decimals) {
+  return decimals.round(feed * 60.0) / 60.0;
+}
+
+Vec3 apex(const Vec3& a, const Vec3& b, const Vec3& up, double length) {
+  const Vec3 across = b - a;
+  const double d2 = across.squaredNorm();
+  const Vec3 lift = d2 > 0.0 ? Vec3(up - up.dot(across) / d2 * across) : up;
+  const double h = 0.5 * std::sqrt(std::max(0.0, length * length - d2));
+  return a + 0.5 * across + h * lift.normalized();
+}
+
+ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
+                            const ConstantFeed& rule, const Decimals& decimals) {
+  require_valid(rule, tool, spindle);
+  const std::vector<Planned> planned = plan(dimples, tool.radius, decimals);
+  const double feed = posted_feed(rule.feed, decimals);
+  require_positive("Feed", feed * 60.0, "mm/min after rounding");
+  const double turns_per_mm = spindle.speed / feed;
+  const double period = phase_period(tool.flutes, rule.phase.flutes).turns();
+  for (const Planned& p : planned)
+    if (p.tip.z() > rule.safe_height)
+      throw InputError(
+          "SafeHeight", fmt::format("{} mm", rule.safe_height),
+          fmt::format("the tool tip is at Z {:.3f} mm on dimple {}: give a greater safe "
+                      "height.",
+                      p.tip.z(), p.number));
+
+  ToolPath path{tool, spindle, {}, {}};
+  path.moves.reserve(2 * planned.size() + 16);
+  PathBuilder build(path, turns_per_mm, rule.safe_height);
+  const Vec3 first = planned.front().tip;
+  const double safe = decimals.round(rule.safe_height);
+  const Vec3 above(first.x(), first.y(), decimals.round(rule.clearance_height));
+  path.start = {above, Vec3::UnitZ()};
+  build.rapid(above);
+  build.rapid({first.x(), first.y(), safe});
+  build.timed(first, MoveKind::Link, planned.front().number);
+  build.owe((safe - first.z()) * turns_per_mm);  // the first dimple is phase zero
+  for (std::size_t i = 1; i < planned.size(); ++i) {
+    const Planned &a = planned[i - 1], &b = planned[i];
+    const double turns = spindle_advance(a.azimuth, b.azimuth, rule.phase, tool, spindle).turns();
+    if (a.patch == b.patch)
+      step(build, a, b, turns, feed, turns_per_mm, decimals);
+    else
+      link(build, b, turns, period, turns_per_mm, rule.safe_height, decimals);
+  }
+  const Vec3 last = build.at();
+  build.timed({last.x(), last.y(), safe}, MoveKind::Link);
+  build.rapid({last.x(), last.y(), above.z()});
+  return path;
+}
+
+}  // namespace patchmill
