@@ -14,6 +14,7 @@ namespace {
 
 const double kNormalShare = std::sqrt(3.0) / 2.0;  // of the acceleration, on an arc
 constexpr double kStraight = 1e-9;                 // rad: no corner at all
+constexpr double kKinkShare = 0.1;  // of the acceleration: a kink that needs less is run over
 
 // sec(x) - 1 without cancellation
 double exsec(double x) {
@@ -23,6 +24,17 @@ double exsec(double x) {
 
 double turning_angle(const Vec3& before, const Vec3& after) {
   return std::atan2(before.cross(after).norm(), before.dot(after));
+}
+
+// The turning angle below which the controller sees no corner: at the greatest speed that it may have
+// there, the change of velocity within one period stays a small share of the acceleration.
+double overlooked_angle(const Vec3& before, const Vec3& after, const MotionModel& model) {
+  const auto fastest = [&model](const Vec3& way) {
+    const double length = way.norm();
+    return std::min(velocity_along(model, way / length), length / model.period);
+  };
+  return kKinkShare * model.acceleration * model.period /
+         std::min(fastest(before), fastest(after));
 }
 
 double end_tolerance(const Move& move, const MotionModel& model) {
@@ -81,32 +93,59 @@ std::vector<Corner> corners(const ToolPath& path, const MotionModel& model) {
     if (before.isZero() || after.isZero()) continue;
     // a move with an exact stop at its end does not hold the tolerance of its beginning
     const double next = posted[i + 1] > 0.0 ? posted[i + 1] : posted[i];
-    result[i] = corner_blend(turning_angle(before, after), std::min(posted[i], next), before.norm(),
-                             after.norm(), model.acceleration);
-    if (posted[i] <= 0.0) result[i].stop = true;
+    const double angle = turning_angle(before, after);
+    if (angle < overlooked_angle(before, after, model)) continue;
+    result[i] = corner_blend(angle, std::min(posted[i], next), before.norm(), after.norm(),
+                             model.acceleration);
   }
   return result;
 }
+
+namespace {
+
+// A locked move between the middles of the roundings at its ends: the way that runs at its own K, and
+// the half-arc at its end, which already runs at the next move's K.
+struct LockedWay {
+  double own, next;
+};
+
+LockedWay locked_way(const ToolPath& path, const std::vector<Corner>& corners, std::size_t i) {
+  const Vec3& from = i ? path.moves[i - 1].end.tip : path.start.tip;
+  const Corner before = i ? corners[i - 1] : Corner{};
+  const Corner& after = corners[i];
+  const double length = (path.moves[i].end.tip - from).norm();
+  const bool shared = i + 1 < corners.size() && path.moves[i + 1].pace == Pace::SpindleLocked;
+  return {length - before.trim - after.trim + 0.5 * before.arc + (shared ? 0.0 : 0.5 * after.arc),
+          shared ? 0.5 * after.arc : 0.0};
+}
+
+}  // namespace
 
 std::vector<double> locked_pitches(const ToolPath& path, const std::vector<Corner>& corners) {
   std::vector<double> pitches(path.moves.size(), 0.0);
   for (std::size_t i = path.moves.size(); i-- > 0;) {
     const Move& move = path.moves[i];
     if (move.pace != Pace::SpindleLocked) continue;
-    const Vec3& from = i ? path.moves[i - 1].end.tip : path.start.tip;
-    const Corner before = i ? corners[i - 1] : Corner{};
-    const Corner& after = corners[i];
-    // between the middles of the two arcs; the second half-arc already runs at the next move's K
-    const double length = (move.end.tip - from).norm() - before.trim - after.trim + 0.5 * before.arc;
-    const bool blends = !after.stop && after.arc > 0.0 && i + 1 < pitches.size();
-    const double turns =
-        move.turns - (blends && pitches[i + 1] > 0.0 ? 0.5 * after.arc / pitches[i + 1] : 0.0);
-    if (!(turns > 0.0) || !(length > 0.0))
+    const LockedWay way = locked_way(path, corners, i);
+    const double turns = move.turns - (way.next > 0.0 ? way.next / pitches[i + 1] : 0.0);
+    if (!(turns > 0.0) || !(way.own > 0.0))
       throw InputError("Turns", fmt::format("{} in move {}", move.turns, i),
                        "a spindle-locked move needs more turns than its corner roundings take.");
-    pitches[i] = length / turns;
+    pitches[i] = way.own / turns;
   }
   return pitches;
+}
+
+std::vector<double> locked_turns(const ToolPath& path, const std::vector<Corner>& corners,
+                                 const std::vector<double>& pitches) {
+  std::vector<double> turns(path.moves.size());
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    turns[i] = path.moves[i].turns;
+    if (path.moves[i].pace != Pace::SpindleLocked) continue;
+    const LockedWay way = locked_way(path, corners, i);
+    turns[i] = way.own / pitches[i] + (way.next > 0.0 ? way.next / pitches[i + 1] : 0.0);
+  }
+  return turns;
 }
 
 }  // namespace patchmill

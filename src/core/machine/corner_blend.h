@@ -48,4 +48,9 @@ std::vector<Corner> corners(const ToolPath& path, const MotionModel& model);
 /// Errors: InputError naming Turns if a locked move has no turns or too few for its roundings.
 std::vector<double> locked_pitches(const ToolPath& path, const std::vector<Corner>& corners);
 
+/// The other way round: the turns that each locked move takes at the given pitches, between the middles
+/// of its roundings; a move's own `turns` if it is not locked. What a program's K words amount to.
+std::vector<double> locked_turns(const ToolPath& path, const std::vector<Corner>& corners,
+                                 const std::vector<double>& pitches);
+
 }  // namespace patchmill

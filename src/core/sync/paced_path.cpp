@@ -119,6 +119,7 @@ class Builder {
     for (std::size_t i = 0; i + 1 < planned_.size(); ++i)
       here = in_row(i, here.direction) ? row_step(i) : turn_around(i, here);
     end(here);
+    if (rule_.pace == Pace::SpindleLocked) keep_pitches();
     return std::move(result_);
   }
 
@@ -186,7 +187,9 @@ class Builder {
     // how many teeth it takes: from the slack without any
     const double short_of = -turnaround(from, to, turns, shape_, detour, spindle_, model_).slack;
     turns += period_ * std::max(0.0, std::ceil((short_of - rule_.late) * spindle_.speed / period_));
+    const std::size_t first = result_.path.moves.size();
     push(turnaround(from, to, turns, shape_, detour, spindle_, model_).moves, planned_[i + 1].number);
+    spans_.push_back({first, first + 2, result_.path.moves.size()});
     ++result_.turnarounds;
     return to;
   }
@@ -195,6 +198,26 @@ class Builder {
     const double way = (to.tip - from.tip).norm() + 2.0 * (shape_.flat + shape_.out + shape_.run_in);
     return way * angle(from.normal, to.normal) / 8.0 < 0.5 * shape_.lift && way < 20.0 * shape_.lift +
            10.0 * shortest_;
+  }
+  /// Roundings take turns away. In a turn-around every move keeps the pitch that it was planned with,
+  /// so that the lock has nothing to catch up where the tool is fast, and the way back between the two
+  /// stops, which starts at `free`, takes up the sum.
+  void keep_pitches() {
+    ToolPath& path = result_.path;
+    const std::vector<Corner> corner = corners(path, model_);
+    std::vector<double> pitch(path.moves.size(), 0.0);
+    Vec3 from = path.start.tip;
+    for (std::size_t i = 0; i < pitch.size(); ++i) {
+      pitch[i] = (path.moves[i].end.tip - from).norm() / path.moves[i].turns;
+      from = path.moves[i].end.tip;
+    }
+    const std::vector<double> turns = locked_turns(path, corner, pitch);
+    for (const Span& span : spans_)
+      for (std::size_t i = span.first; i < span.last; ++i) {
+        if (i == span.free) continue;
+        path.moves[span.free].turns += path.moves[i].turns - turns[i];
+        path.moves[i].turns = turns[i];
+      }
   }
   void begin(const RowEnd& first) {
     Vec3 start = lead_in_start(first, rule_.seed, shape_);
@@ -220,6 +243,10 @@ class Builder {
   double shape_speed_ = fastest_row();
   TurnaroundShape shape_;
   double shortest_ = 0.0;
+  struct Span {
+    std::size_t first, free, last;  // moves of a turn-around: [first, last)
+  };
+  std::vector<Span> spans_;
   PacedPath result_;
 };
 
