@@ -107,6 +107,8 @@ class Builder {
         decimals_(decimals),
         period_(phase_period(tool.flutes, rule.phase.flutes).turns()),
         shape_(turnaround_shape(rule.flat, rule.lift, fastest_row(), model)) {
+    if (rule.pace == Pace::SpindleLocked)
+      late_ = recoverable(shape_, shape_speed_, model.acceleration);
     result_.path = ToolPath{tool, spindle, {}, {}};
   }
 
@@ -186,7 +188,7 @@ class Builder {
     double turns = steps_[i].turns;
     // how many teeth it takes: from the slack without any
     const double short_of = -turnaround(from, to, turns, shape_, detour, spindle_, model_).slack;
-    turns += period_ * std::max(0.0, std::ceil((short_of - rule_.late) * spindle_.speed / period_));
+    turns += period_ * std::max(0.0, std::ceil((short_of - late_) * spindle_.speed / period_));
     const std::size_t first = result_.path.moves.size();
     push(turnaround(from, to, turns, shape_, detour, spindle_, model_).moves, planned_[i + 1].number);
     spans_.push_back({first, first + 2, result_.path.moves.size()});
@@ -242,6 +244,7 @@ class Builder {
   double period_;
   double shape_speed_ = fastest_row();
   TurnaroundShape shape_;
+  double late_ = 0.0;  // a feed catches nothing up
   double shortest_ = 0.0;
   struct Span {
     std::size_t first, free, last;  // moves of a turn-around: [first, last)

@@ -22,7 +22,6 @@ struct PacedRule {
   double flat = 0.15;       ///< way on the surface on both sides of a lift [mm]
   double lift = 0.10;       ///< clearance between rows along the normal: above ridges and stock [mm]
   double seed = 2.0;        ///< way in the air before the first dimple that takes up the lock [mm]
-  double late = 0.0;        ///< by how much a turn-around may come late, to be caught up [s]
   double safe_height = 0.0;       ///< detours and links travel at or above this Z of the tip [mm]
   double clearance_height = 0.0;  ///< rapids before the first and after the last dimple [mm]
 };

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kHeadroom = 1.8;        // roundings are passed at up to this multiple of the speed
 constexpr double kSteepest = 0.5;        // slope of a ramp
-constexpr double kRoundedShare = 0.7;    // of the flat, for the rounding at its end
 constexpr double kSwallowPeriods = 5.2;  // a stretch passed in fewer is swallowed by a rounding
 constexpr double kDeadPeriods = 1.5;     // that a stop costs beyond its continuous time
+constexpr double kLinkEase = 1.6;        // legs of a link take this much longer than they could
 
 Move moved(const Vec3& tip, double turns, double tolerance, MoveKind kind = MoveKind::Cut) {
   return {{tip, Vec3::UnitZ()}, turns, kNoDimple, kind, Pace::SpindleLocked, tolerance};
@@ -52,18 +52,31 @@ double leg_time(const Vec3& a, const Vec3& b, const MotionModel& model) {
 
 TurnaroundShape turnaround_shape(double flat, double lift, double speed, const MotionModel& model) {
   const double a = model.acceleration, v = kHeadroom * speed;
+  const double unswallowed = kSwallowPeriods * model.period * v;
   TurnaroundShape shape;
-  shape.flat = flat;
   shape.lift = lift;
-  // trim = v² tan(theta / 2) / (sqrt(3)/2 a) of the rounding, about v² slope / (sqrt(3) a)
-  shape.slope = std::min(kSteepest, kRoundedShare * flat * std::sqrt(3.0) * a / (v * v));
-  const double braking = speed * speed / (2.0 * a);
-  shape.out = std::max(lift / shape.slope, 1.4 * braking + 0.05);
+  // half of the flat is left to the rounding at its end, which takes
+  //     trim = v² tan(theta / 2) / (sqrt(3)/2 a), about v² slope / (sqrt(3) a);
+  // a ramp has one at both ends and must not be swallowed between them
+  const double trim = 0.5 * flat;
+  shape.slope = std::min({kSteepest, trim * std::sqrt(3.0) * a / (v * v),
+                          lift / (2.0 * trim + unswallowed)});
+  shape.flat = trim + std::max(trim, unswallowed);
   const double angle = std::atan(shape.slope);
   shape.tolerance = tolerance_for_speed(angle, v, a);
-  const double trim = corner_blend(angle, shape.tolerance, 1e9, 1e9, a).trim;
-  shape.run_in = std::max({0.15, 3.0 * braking, trim + kSwallowPeriods * model.period * v});
+  const double braking = speed * speed / (2.0 * a);
+  shape.out = std::max(lift / shape.slope, 1.4 * braking + 0.05);
+  shape.run_in = std::max({0.15, 3.0 * braking, trim + unswallowed});
   return shape;
+}
+
+double recoverable(const TurnaroundShape& shape, double speed, double acceleration) {
+  const double run = (shape.run_in + shape.lift / shape.slope + shape.flat) / speed;
+  const double settle = 0.6 * run - speed / acceleration;  // what is left once at speed
+  if (settle <= 0.0) return 0.0;
+  // an error e is closed in 2 sqrt(e / a) and the time to turn round, 1.3 times that in all
+  const double root = settle / 2.6;
+  return std::min(root * root * acceleration / speed, 0.4 * run);
 }
 
 Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
@@ -87,10 +100,11 @@ Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
   double gather = shape.run_in / to.pitch + rate * (to.pitch * rate / (2.0 * a) + dead);
   double between = turns - flat_out - ramp_out - gather - ramp_in - flat_in;
 
+  const double ease = stops.size() > 2 ? kLinkEase : 1.0;
   std::vector<double> needed;
   double needed_sum = 0.0;
   for (std::size_t i = 1; i < stops.size(); ++i) {
-    needed.push_back(rate * leg_time(stops[i - 1], stops[i], model));
+    needed.push_back(rate * ease * leg_time(stops[i - 1], stops[i], model));
     needed_sum += needed.back();
   }
   Turnaround result;
