@@ -55,7 +55,6 @@ ToolPath plan(const Job& job, Spindle spindle) {
   rule.pace = job.strategy == "locked" ? Pace::SpindleLocked : Pace::Feed;
   rule.turnarounds = number(job.options, "turnarounds", 1.0) > 0.0;
   rule.lift = number(job.options, "lift", rule.lift);
-  rule.flat = number(job.options, "flat", rule.flat);
   rule.safe_height = 30.0;
   rule.clearance_height = 32.0;
   return paced_path(job.dimples, kTool, spindle, rule, job.model, kDecimals).path;

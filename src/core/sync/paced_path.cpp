@@ -39,7 +39,6 @@ void require_valid(const PacedRule& rule, const BallEndMill& tool, const Spindle
   require_valid(rule.phase, tool.flutes);
   require_positive("SpindleSpeed", spindle.speed * 60.0, "rpm");
   require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
-  require_positive("Flat", rule.flat, "mm");
   require_positive("Lift", rule.lift, "mm");
   require_in_range("ExtraTurns", rule.phase.extra_turns, 0.0, 0.0, "turns on a paced path");
   if (rule.phase.flutes == FluteChoice::Same && tool.flutes > 1)
@@ -106,10 +105,11 @@ class Builder {
         model_(model),
         decimals_(decimals),
         period_(phase_period(tool.flutes, rule.phase.flutes).turns()),
-        shape_(turnaround_shape(rule.flat, rule.lift, fastest_row(), model)) {
+        shape_(turnaround_shape(mean_row_step(), rule.lift, shape_speed_, model)) {
     if (rule.pace == Pace::SpindleLocked)
       late_ = recoverable(shape_, shape_speed_, model.acceleration);
     result_.path = ToolPath{tool, spindle, {}, {}};
+    result_.clearance = shape_.clearance;
   }
 
   PacedPath build() {
@@ -131,6 +131,13 @@ class Builder {
     for (std::size_t i = 0; i < steps_.size(); ++i)
       if (same_patch(i)) speed = std::max(speed, steps_[i].pitch() * spindle_.speed);
     return speed > 0.0 ? speed : steps_[0].pitch() * spindle_.speed;
+  }
+  double mean_row_step() const {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+      if (same_patch(i)) sum += steps_[i].length, ++count;
+    return count ? sum / count : steps_[0].length;
   }
   bool same_patch(std::size_t i) const { return planned_[i].patch == planned_[i + 1].patch; }
   double angle(const Vec3& a, const Vec3& b) const { return std::atan2(a.cross(b).norm(), a.dot(b)); }

@@ -19,7 +19,6 @@ struct PacedRule {
   Pace pace = Pace::SpindleLocked;
   PhaseRule phase;          ///< extra_turns must be 0; flutes must be Any
   bool turnarounds = true;  ///< false: straight on over every corner inside a patch
-  double flat = 0.15;       ///< way on the surface on both sides of a lift [mm]
   double lift = 0.10;       ///< clearance between rows along the normal: above ridges and stock [mm]
   double seed = 2.0;        ///< way in the air before the first dimple that takes up the lock [mm]
   double safe_height = 0.0;       ///< detours and links travel at or above this Z of the tip [mm]
@@ -30,12 +29,14 @@ struct PacedPath {
   ToolPath path;
   std::int64_t turnarounds = 0;  ///< corners, gaps and links
   double row_tolerance = 0.0;    ///< corner rounding in the rows [mm]
+  double clearance = 0.0;  ///< least height of the ball over the surface when a tooth comes by between
+                           ///< rows [mm]; less than the ridges' height means marks nobody asked for
 };
 
 /// The path of a fixed vertical tool over all Cut dimples in their order. Positions lie on `decimals`;
 /// `turns` are what each move takes on a machine that can follow. Errors: InputError naming SpindleLock
 /// (the model's controller cannot), MaxVelocity (one tooth per dimple is too fast for an axis),
-/// ExtraTurns, Flutes, Flat, Lift, SafeHeight, ClearanceHeight, Dimples, or the model's own.
+/// ExtraTurns, Flutes, Lift, SafeHeight, ClearanceHeight, Dimples, or the model's own.
 PacedPath paced_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
                      const PacedRule& rule, const MotionModel& model, const Decimals& decimals);
 

@@ -11,8 +11,10 @@
 namespace patchmill {
 namespace {
 
-constexpr double kHeadroom = 1.8;        // roundings are passed at up to this multiple of the speed
+constexpr double kHeadroom = 1.5;        // roundings are passed at up to this multiple of the speed
 constexpr double kSteepest = 0.5;        // slope of a ramp
+constexpr double kClearOfDimple = 0.1;   // of a step, straight on both sides of a dimple
+constexpr int kTrimChoices = 50;
 constexpr double kSwallowPeriods = 5.2;  // a stretch passed in fewer is swallowed by a rounding
 constexpr double kDeadPeriods = 1.5;     // that a stop costs beyond its continuous time
 constexpr double kLinkEase = 1.6;        // legs of a link take this much longer than they could
@@ -50,23 +52,32 @@ double leg_time(const Vec3& a, const Vec3& b, const MotionModel& model) {
 
 }  // namespace
 
-TurnaroundShape turnaround_shape(double flat, double lift, double speed, const MotionModel& model) {
+TurnaroundShape turnaround_shape(double step, double lift, double speed, const MotionModel& model) {
   const double a = model.acceleration, v = kHeadroom * speed;
   const double unswallowed = kSwallowPeriods * model.period * v;
   TurnaroundShape shape;
   shape.lift = lift;
-  // half of the flat is left to the rounding at its end, which takes
-  //     trim = v² tan(theta / 2) / (sqrt(3)/2 a), about v² slope / (sqrt(3) a);
-  // a ramp has one at both ends and must not be swallowed between them
-  const double trim = 0.5 * flat;
-  shape.slope = std::min({kSteepest, trim * std::sqrt(3.0) * a / (v * v),
-                          lift / (2.0 * trim + unswallowed)});
-  shape.flat = trim + std::max(trim, unswallowed);
+  // A rounding takes trim = v² tan(theta / 2) / (sqrt(3)/2 a), about v² slope / (sqrt(3) a). The more
+  // trim, the steeper the ramp but the later it begins: take what is highest one tooth away.
+  double highest = -1.0, best_trim = 0.0;
+  for (int i = 1; i <= kTrimChoices; ++i) {
+    const double trim = step * i / kTrimChoices;
+    const double slope = std::min({kSteepest, trim * std::sqrt(3.0) * a / (v * v),
+                                   lift / (2.0 * trim + unswallowed)});
+    const double flat = trim + std::max(kClearOfDimple * step, unswallowed);
+    const double height = std::min(lift, (step - flat) * slope);
+    if (height <= highest) continue;
+    highest = height;
+    best_trim = trim;
+    shape.slope = slope;
+    shape.flat = flat;
+  }
+  shape.clearance = std::max(0.0, highest);
   const double angle = std::atan(shape.slope);
   shape.tolerance = tolerance_for_speed(angle, v, a);
   const double braking = speed * speed / (2.0 * a);
-  shape.out = std::max(lift / shape.slope, 1.4 * braking + 0.05);
-  shape.run_in = std::max({0.15, 3.0 * braking, trim + unswallowed});
+  shape.out = std::max(lift / shape.slope, 1.4 * braking + 0.1 * step);
+  shape.run_in = std::max({0.3 * step, 3.0 * braking, best_trim + unswallowed});
   return shape;
 }
 
