@@ -14,6 +14,7 @@ namespace {
 
 const double kNormalShare = std::sqrt(3.0) / 2.0;  // of the acceleration, on an arc
 constexpr double kStraight = 1e-9;                 // rad: no corner at all
+constexpr double kReversal = kPi * 178.0 / 180.0;  // rad: a corner as sharp as this is no kink
 constexpr double kKinkShare = 0.1;  // of the acceleration: a kink that needs less is run over
 
 // sec(x) - 1 without cancellation
@@ -48,17 +49,22 @@ Corner corner_blend(double angle, double tolerance, double length_before, double
   Corner corner;
   corner.angle = angle;
   if (angle < kStraight) return corner;
-  const double half_tangent = std::tan(0.5 * angle);
-  if (!(tolerance > 0.0) || angle > kPi - 0.03) {
+  corner.kink = angle < kReversal;
+  if (!(tolerance > 0.0) || !corner.kink) {
     corner.stop = true;
     return corner;
   }
+  const double half_tangent = std::tan(0.5 * angle);
   corner.trim = std::min({tolerance / exsec(0.5 * angle) * half_tangent, 0.5 * length_before,
                           0.5 * length_after});
   const double radius = corner.trim / half_tangent;
   corner.arc = radius * angle;
   corner.speed = std::sqrt(kNormalShare * acceleration * radius);
   return corner;
+}
+
+double acceleration_beside(const Corner& before, const Corner& after, double acceleration) {
+  return before.kink || after.kink ? (1.0 - kKinkShare) * acceleration : acceleration;
 }
 
 double tolerance_for_speed(double angle, double speed, double acceleration) {

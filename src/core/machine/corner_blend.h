@@ -21,6 +21,8 @@ namespace patchmill {
 struct Corner {
   double angle = 0.0;  ///< turning angle theta, 0 = straight on [rad]
   bool stop = false;   ///< the machine stops here
+  bool kink = false;   ///< the controller has seen a corner: it keeps a tenth of both neighbours'
+                       ///< acceleration for it, even if it stops
   double trim = 0.0;   ///< length that the arc takes from each neighbour [mm]
   double arc = 0.0;    ///< length of the arc [mm]
   double speed = std::numeric_limits<double>::infinity();  ///< greatest speed on the arc [mm/s]
@@ -30,6 +32,9 @@ struct Corner {
 /// at most half of a neighbour). Tolerance 0: a stop.
 Corner corner_blend(double angle, double tolerance, double length_before, double length_after,
                     double acceleration);
+
+/// What is left of `acceleration` for a straight between two corners [mm/s²].
+double acceleration_beside(const Corner& before, const Corner& after, double acceleration);
 
 /// The tolerance at which a corner of `angle` can be passed at `speed` [mm].
 double tolerance_for_speed(double angle, double speed, double acceleration);

@@ -40,7 +40,8 @@ std::vector<Piece> cut_into_pieces(const ToolPath& path, const MotionModel& mode
     const double length = way.norm();
     if (length < kArrived) continue;
     const double limit = velocity_along(model, way / length);
-    const double acceleration = acceleration_along(model, way / length);
+    const double acceleration = acceleration_beside(i ? corner[i - 1] : Corner{}, corner[i],
+                                                    acceleration_along(model, way / length));
     double feed = 0.0;
     if (move.pace == Pace::Feed)
       feed = std::isnan(move.turns) ? limit : std::min(limit, length / duration(move, path.spindle));
