@@ -47,11 +47,13 @@ ToolPath plan(const Job& job, Spindle spindle) {
     rule.phase.extra_turns = number(job.options, "extra", 5.0);
     rule.phase.flutes =
         number(job.options, "same", 0.0) > 0.0 ? FluteChoice::Same : FluteChoice::Any;
+    rule.phase.step = Angle::degrees(number(job.options, "step", 0.0));
     rule.safe_height = 30.0;
     rule.clearance_height = 32.0;
     return constant_feed_path(job.dimples, kTool, spindle, rule, kDecimals);
   }
   PacedRule rule;
+  rule.phase.step = Angle::degrees(number(job.options, "step", 0.0));
   rule.pace = job.strategy == "locked" ? Pace::SpindleLocked : Pace::Feed;
   rule.turnarounds = number(job.options, "turnarounds", 1.0) > 0.0;
   rule.lift = number(job.options, "lift", rule.lift);

@@ -3,14 +3,16 @@
     from harness.controller import Machine, run
     log = run('program.ngc', Machine(acceleration=2000, velocity=100))
 
-No display, no real-time kernel, no privileges: LinuxCNC lives in process, message, network and mount
-namespaces of its own, so that runs do not meet and the kernel ends everything with the first process.
+No display, no real-time kernel, no privileges: LinuxCNC lives in process, message, network and
+mount namespaces of its own, so that runs do not meet and the kernel ends everything with the first
+process.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 import dataclasses
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import tempfile
 
@@ -138,6 +140,20 @@ def read_samples(path, period):
     return Log((table[:, 0] - table[0, 0]) * period, table[:, 1:4], turns, table[:, 5], starved)
 
 
+def end(child):
+    """Kills the first process of the run's namespace; the kernel then ends the others. (The signal
+    that unshare asks for at its own death is lost when setpriv changes the user.)"""
+    if child.poll() is None:
+        children = pathlib.Path('/proc/%d/task/%d/children' % (child.pid, child.pid))
+        for pid in children.read_text(encoding='ascii').split():
+            os.kill(int(pid), signal.SIGKILL)
+        try:
+            child.wait(5)
+        except subprocess.TimeoutExpired:
+            child.kill()
+    child.wait()
+
+
 def run_once(program, machine, rate, limit):
     """One run at one clock rate; see run()."""
     with tempfile.TemporaryDirectory(prefix='patchmill-controller-') as name:
@@ -152,8 +168,7 @@ def run_once(program, machine, rate, limit):
             except subprocess.TimeoutExpired:
                 raise ControllerError('not done after %g s' % limit) from None
             finally:
-                child.kill()
-                child.wait()
+                end(child)
         verdict = folder / 'verdict.txt'
         words = verdict.read_text(encoding='utf-8').strip() if verdict.exists() else 'no verdict'
         if words != 'ok':
@@ -163,8 +178,8 @@ def run_once(program, machine, rate, limit):
 
 
 def run(program, machine=None, rate=20.0, limit=120.0, stops=1):
-    """Runs the G-code file `program`. `rate`: simulated seconds in a second, lowered if the computer
-    is too busy for it; `limit`: wall seconds for each attempt; `stops`: how often the motion queue
+    """Runs the G-code file `program`. `rate`: simulated seconds in a second, lowered if the
+    computer is too busy for it; `limit`: wall seconds for each attempt; `stops`: how often the motion queue
     runs empty in this program (at its end, and at each block that waits).
 
     Returns a Log; raises ControllerError with LinuxCNC's own words.

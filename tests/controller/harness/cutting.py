@@ -1,6 +1,6 @@
 """Cuts with a controller's log: where each dimple really is, and which marks nobody asked for.
 
-A flute's edge is the meridian of the ball in the half-plane of its azimuth ψ about the tool axis e_z.
+A flute's edge is the meridian of the ball in the half-plane of its azimuth ψ about the tool axis.
 Its deepest point under a plane with unit normal n is, with n = (sinτ(cosα', sinα'), cosτ) and
 a = n·(cosψ, sinψ, 0), b = n_z,
     (c - p)·n - R √(a² + b²)   at the meridian angle φ with tan φ = -a / b (a < 0),
@@ -91,7 +91,7 @@ def places(edge, report, points, normals):
 
 def unwanted_marks(edge, report, points, normals, reach, spacing):
     """Teeth that pass over the surface nearer than `reach` [mm], further than a fifth of `spacing`
-    from every dimple. Between rows the ball has to be clear of the ridges when a tooth comes by."""
+    from every dimple. Between rows the ball has to clear the ridges when a tooth comes by."""
     lifted = points + edge.radius * normals  # ball centres on the dimples
     time = numpy.arange(report.time[0] - WINDOW, report.time[-1] + WINDOW, 2e-4)
     centre = edge.centre(time)

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """LinuxCNC's "display" without a display: switches on, runs program.ngc, records it, leaves.
 
-Runs inside the work folder of one run. Leaves samples.txt (halsampler's lines) and verdict.txt, whose
-first word is "ok" or "error".
+Runs inside the work folder of one run. Leaves samples.txt (halsampler's lines) and verdict.txt,
+whose first word is "ok" or "error".
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 import signal

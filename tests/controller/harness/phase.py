@@ -4,8 +4,8 @@
     report = phase.measure(log, targets, flutes=2, sense=-1)
 
 A dimple is right when the spindle has turned by s·α, modulo one tooth: s the spindle's sense, α the
-azimuth of the contact point about the tool axis (Xu & Sasahara 2016, section 3.1). The start phase is
-one unknown constant (section 3.3); its best value is taken away.
+azimuth of the contact point about the tool axis (Xu & Sasahara 2016, section 3.1). The start phase
+is one unknown constant (section 3.3); its best value is taken away.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 import csv
@@ -49,8 +49,8 @@ def read_targets(path):
 
 
 def nearest(time, tip, point):
-    """Moment at which the polyline `tip` is nearest to `point`, and how near. A tool that stands there
-    is there in the middle of its stay."""
+    """Moment at which the polyline `tip` is nearest to `point`, and how near. A tool that stands
+    there is there in the middle of its stay."""
     start, step = tip[:-1], numpy.diff(tip, axis=0)
     square = numpy.maximum(numpy.einsum('ij,ij->i', step, step), 1e-30)
     along = numpy.clip(numpy.einsum('ij,ij->i', point - start, step) / square, 0.0, 1.0)
@@ -85,7 +85,8 @@ def wrapped(angle, period):
 
 def without_offset(angle, period):
     """Angles modulo `period` less their circular mean, and that mean."""
-    mean = numpy.angle(numpy.mean(numpy.exp(2j * numpy.pi * angle / period))) * period / (2 * numpy.pi)
+    turn = 2 * numpy.pi / period
+    mean = numpy.angle(numpy.mean(numpy.exp(1j * turn * angle))) / turn
     rest = wrapped(angle - mean, period)
     correction = rest.mean()
     return rest - correction, mean + correction
