@@ -87,7 +87,7 @@ class Calibration(unittest.TestCase):
             unknown = generator.uniform(0, period)
             miss = self.misses(result, result.edge(known - unknown))
             # one looks for the middle of the good marks, not for the best of them
-            best = int(numpy.argmin(numpy.convolve(miss, numpy.ones(9), 'valid'))) + 4
+            best = int(numpy.argmin(numpy.convolve(miss, numpy.ones(17), 'valid'))) + 8
             self.assertLessEqual(abs(phase.wrapped(-best - unknown, period)), 1.0)
 
     @staticmethod

@@ -179,8 +179,8 @@ def run_once(program, machine, rate, limit):
 
 def run(program, machine=None, rate=20.0, limit=120.0, stops=1):
     """Runs the G-code file `program`. `rate`: simulated seconds in a second, lowered if the
-    computer is too busy for it; `limit`: wall seconds for each attempt; `stops`: how often the motion queue
-    runs empty in this program (at its end, and at each block that waits).
+    computer is too busy for it; `limit`: wall seconds for each attempt; `stops`: how often the
+    motion queue runs empty in this program (at its end, and at each block that waits).
 
     Returns a Log; raises ControllerError with LinuxCNC's own words.
     """

@@ -85,8 +85,8 @@ def places(edge, report, points, normals):
         errors.append(miss - (miss @ normal) * normal)
         depths.append(-height)
     size = numpy.linalg.norm(errors, axis=1)
-    return Places(numpy.array(errors), numpy.array(depths), float(numpy.sqrt(numpy.mean(size ** 2))),
-                  float(size.max()))
+    rms = float(numpy.sqrt(numpy.mean(size ** 2)))
+    return Places(numpy.array(errors), numpy.array(depths), rms, float(size.max()))
 
 
 def unwanted_marks(edge, report, points, normals, reach, spacing):
