@@ -10,8 +10,8 @@ namespace patchmill {
 /// The surface point above (x, y) [mm], by Newton's method; the normal points up (+Z).
 SurfacePoint bezier_point(double x, double y);
 
-/// Helical square patches of side x side dimples, spaced f [mm], the first dimple of the first patch at
-/// (x, y); patches_x by patches_y of them, row by row to and fro.
+/// Helical square patches of side x side dimples, spaced f [mm], the first dimple of the first
+/// patch at (x, y); patches_x by patches_y of them, row by row to and fro.
 Dimples bezier_patches(double x, double y, int side, double spacing, int patches_x, int patches_y);
 
 }  // namespace patchmill

@@ -79,11 +79,12 @@ void write(const Job& job, const ToolPath& path) {
     const Passing& when = prediction.ends[i];
     if (count++ == 0) first = when.turns;
     last = when.turns;
-    table << fmt::format("{},{:.4f},{:.4f},{:.4f},{:.6f},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
-                         "{:.8f},{:.8f},{:.8f}\n",
-                         text.lines[i], move.end.tip.x(), move.end.tip.y(), move.end.tip.z(),
-                         contact_azimuth(n).degrees(), dimple.patch, when.time, when.turns, p.x(),
-                         p.y(), p.z(), n.x(), n.y(), n.z());
+    table << fmt::format(
+        "{},{:.4f},{:.4f},{:.4f},{:.6f},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
+        "{:.8f},{:.8f},{:.8f}\n",
+        text.lines[i], move.end.tip.x(), move.end.tip.y(), move.end.tip.z(),
+        contact_azimuth(n).degrees(), dimple.patch, when.time, when.turns, p.x(), p.y(), p.z(),
+        n.x(), n.y(), n.z());
   }
   std::cout << fmt::format("dimples={} moves={} predicted_turns_per_dimple={:.4f}\n", count,
                            path.moves.size(), (last - first) / static_cast<double>(count - 1));
@@ -107,7 +108,8 @@ int run(int argc, char** argv) {
   }
   job.model.tolerance = number(job.options, "tolerance", 0.0);
   const int patches = std::stoi(argv[4]);
-  job.dimples = bezier_patches(-27.5, -27.5, kSide, kSpacing, patches > 1 ? 2 : 1, patches > 2 ? 2 : 1);
+  job.dimples =
+      bezier_patches(-27.5, -27.5, kSide, kSpacing, patches > 1 ? 2 : 1, patches > 2 ? 2 : 1);
   Spindle spindle;
   spindle.speed = number(job.options, "rpm", 1000.0) / 60.0;
   write(job, plan(job, spindle));

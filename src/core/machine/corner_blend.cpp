@@ -27,15 +27,14 @@ double turning_angle(const Vec3& before, const Vec3& after) {
   return std::atan2(before.cross(after).norm(), before.dot(after));
 }
 
-// The turning angle below which the controller sees no corner: at the greatest speed that it may have
-// there, the change of velocity within one period stays a small share of the acceleration.
+// The turning angle below which the controller sees no corner: at the greatest speed that it may
+// have there, the change of velocity within one period stays a small share of the acceleration.
 double overlooked_angle(const Vec3& before, const Vec3& after, const MotionModel& model) {
   const auto fastest = [&model](const Vec3& way) {
     const double length = way.norm();
     return std::min(velocity_along(model, way / length), length / model.period);
   };
-  return kKinkShare * model.acceleration * model.period /
-         std::min(fastest(before), fastest(after));
+  return kKinkShare * model.acceleration * model.period / std::min(fastest(before), fastest(after));
 }
 
 double end_tolerance(const Move& move, const MotionModel& model) {
@@ -55,8 +54,8 @@ Corner corner_blend(double angle, double tolerance, double length_before, double
     return corner;
   }
   const double half_tangent = std::tan(0.5 * angle);
-  corner.trim = std::min({tolerance / exsec(0.5 * angle) * half_tangent, 0.5 * length_before,
-                          0.5 * length_after});
+  corner.trim = std::min(
+      {tolerance / exsec(0.5 * angle) * half_tangent, 0.5 * length_before, 0.5 * length_after});
   const double radius = corner.trim / half_tangent;
   corner.arc = radius * angle;
   corner.speed = std::sqrt(kNormalShare * acceleration * radius);
@@ -109,8 +108,8 @@ std::vector<Corner> corners(const ToolPath& path, const MotionModel& model) {
 
 namespace {
 
-// A locked move between the middles of the roundings at its ends: the way that runs at its own K, and
-// the half-arc at its end, which already runs at the next move's K.
+// A locked move between the middles of the roundings at its ends: the way that runs at its own K,
+// and the half-arc at its end, which already runs at the next move's K.
 struct LockedWay {
   double own, next;
 };

@@ -24,7 +24,9 @@ double peak_velocity(double length, double a, double jerk) {
   return v * jerk >= a * a ? v : std::cbrt(0.25 * length * length * jerk);
 }
 
-double largest_component(const Vec3& direction) { return direction.cwiseAbs().maxCoeff(); }
+double largest_component(const Vec3& direction) {
+  return direction.cwiseAbs().maxCoeff();
+}
 
 }  // namespace
 

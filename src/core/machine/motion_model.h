@@ -32,8 +32,8 @@ double acceleration_along(const MotionModel& model, const Vec3& direction);
 /// Greatest velocity along unit `direction` [mm/s].
 double velocity_along(const MotionModel& model, const Vec3& direction);
 
-/// Shortest time from rest to rest over `length` at no more than `velocity` [s]: trapezoid, triangle,
-/// or with a finite jerk their seven-phase forms. All arguments > 0, length >= 0.
+/// Shortest time from rest to rest over `length` at no more than `velocity` [s]: trapezoid,
+/// triangle, or with a finite jerk their seven-phase forms. All arguments > 0, length >= 0.
 double stop_to_stop_time(double length, double velocity, double acceleration,
                          double jerk = kNoJerkLimit);
 

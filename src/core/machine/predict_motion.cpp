@@ -16,15 +16,15 @@ constexpr double kArrived = 1e-12;  // mm
 
 // A straight or a rounding: what the controller plans as one.
 struct Piece {
-  std::size_t move;           // whose end is in it, see `mark`
-  double length;              // mm
-  double acceleration;        // along it, mm/s²
-  double limit;               // greatest speed, mm/s
-  double feed;                // mm/s; 0: locked
-  double pitch;               // mm per turn if locked
-  double mark = -1.0;         // way into the piece at which the move ends; -1: not in this one
-  bool stop = false;          // the tool stands still at its end
-  double end_speed = 0.0;     // allowed, from the backward pass
+  std::size_t move;        // whose end is in it, see `mark`
+  double length;           // mm
+  double acceleration;     // along it, mm/s²
+  double limit;            // greatest speed, mm/s
+  double feed;             // mm/s; 0: locked
+  double pitch;            // mm per turn if locked
+  double mark = -1.0;      // way into the piece at which the move ends; -1: not in this one
+  bool stop = false;       // the tool stands still at its end
+  double end_speed = 0.0;  // allowed, from the backward pass
 };
 
 std::vector<Piece> cut_into_pieces(const ToolPath& path, const MotionModel& model) {
@@ -44,7 +44,8 @@ std::vector<Piece> cut_into_pieces(const ToolPath& path, const MotionModel& mode
                                                     acceleration_along(model, way / length));
     double feed = 0.0;
     if (move.pace == Pace::Feed)
-      feed = std::isnan(move.turns) ? limit : std::min(limit, length / duration(move, path.spindle));
+      feed =
+          std::isnan(move.turns) ? limit : std::min(limit, length / duration(move, path.spindle));
     if (move.pace == Pace::Feed && !(feed > 0.0))
       throw InputError("Turns", fmt::format("{} in move {}", move.turns, i),
                        "a timed move needs more than no turns.");
@@ -55,7 +56,11 @@ std::vector<Piece> cut_into_pieces(const ToolPath& path, const MotionModel& mode
     if (!arc) line.mark = line.length;
     pieces.push_back(line);
     if (!arc) continue;
-    Piece bend{i, corner[i].arc, 0.5 * model.acceleration, std::min(limit, corner[i].speed), feed,
+    Piece bend{i,
+               corner[i].arc,
+               0.5 * model.acceleration,
+               std::min(limit, corner[i].speed),
+               feed,
                i + 1 < pitch.size() ? pitch[i + 1] : pitch[i]};
     bend.mark = 0.5 * bend.length;
     pieces.push_back(bend);
@@ -68,9 +73,8 @@ void plan_backwards(std::vector<Piece>& pieces) {
   for (std::size_t i = pieces.size(); i-- > 0;) {
     Piece& piece = pieces[i];
     piece.end_speed = piece.stop ? 0.0 : std::min(after, piece.limit);
-    after = std::min(piece.limit,
-                     std::sqrt(piece.end_speed * piece.end_speed +
-                               2.0 * piece.acceleration * piece.length));
+    after = std::min(piece.limit, std::sqrt(piece.end_speed * piece.end_speed +
+                                            2.0 * piece.acceleration * piece.length));
   }
 }
 
@@ -117,7 +121,10 @@ class Lock {
 class Simulation {
  public:
   Simulation(std::vector<Piece> pieces, const MotionModel& model, double rate, std::size_t moves)
-      : pieces_(std::move(pieces)), period_(model.period), lock_(rate, model.period), ends_(moves) {}
+      : pieces_(std::move(pieces)),
+        period_(model.period),
+        lock_(rate, model.period),
+        ends_(moves) {}
 
   std::vector<Passing> run() {
     while (at_ < pieces_.size()) one_period();
@@ -151,8 +158,8 @@ class Simulation {
     const Piece& piece = pieces_[at_];
     const double rest = piece.length - way_;
     const double reach = piece.acceleration * left;
-    const double speed =
-        std::clamp(std::min(piece.end_speed, wanted), std::max(0.0, speed_ - reach), speed_ + reach);
+    const double speed = std::clamp(std::min(piece.end_speed, wanted),
+                                    std::max(0.0, speed_ - reach), speed_ + reach);
     const double mean = 0.5 * (speed_ + speed);
     if (rest > mean * left) return false;
     const double duration = mean > 0.0 ? rest / mean : 0.0;

@@ -23,9 +23,9 @@ struct Rs274Text {
   std::vector<long> lines;  ///< line (from 1) of each move; a move of no length has the one before
 };
 
-/// The program, from "G21" to "M2". Coordinates are rounded to `decimals` (a path that is on them keeps
-/// its lengths); K, with 7 decimals, carries its rounding on from move to move.
-/// Errors: as locked_pitches; InputError naming Turns if a feed-paced move has none.
+/// The program, from "G21" to "M2". Coordinates are rounded to `decimals` (a path that is on them
+/// keeps its lengths); K, with 7 decimals, carries its rounding on from move to move. Errors: as
+/// locked_pitches; InputError naming Turns if a feed-paced move has none.
 Rs274Text rs274_text(const ToolPath& path, const MotionModel& model, const Decimals& decimals,
                      FeedWord feed = FeedWord::PerMinute);
 

@@ -12,9 +12,9 @@ namespace patchmill {
 
 int calibration_side(Angle period, Angle step, double spare) {
   if (!(step.radians() > 0.0) || step > period / 8.0)
-    throw InputError("PhaseStep", fmt::format("{} degrees", step.degrees()),
-                     fmt::format("give more than 0 and at most {:.1f} degrees.",
-                                 period.degrees() / 8.0));
+    throw InputError(
+        "PhaseStep", fmt::format("{} degrees", step.degrees()),
+        fmt::format("give more than 0 and at most {:.1f} degrees.", period.degrees() / 8.0));
   const double needed = (1.0 + spare) * (period / step);
   return static_cast<int>(std::ceil(std::sqrt(needed)));
 }
@@ -25,11 +25,13 @@ Angle start_phase(std::int64_t best_dimple, Angle step, Angle period) {
   return (step * -static_cast<double>(best_dimple)).wrapped(period);
 }
 
-ToolPath with_start_phase(ToolPath path, Angle start_phase, Angle period, const Decimals& decimals) {
+ToolPath with_start_phase(ToolPath path, Angle start_phase, Angle period,
+                          const Decimals& decimals) {
   const double x = start_phase / period;
   if (!(x >= 0.0 && x < 1.0))
-    throw InputError("StartPhase", fmt::format("{} degrees", start_phase.degrees()),
-                     fmt::format("give at least 0 and less than {:.1f} degrees.", period.degrees()));
+    throw InputError(
+        "StartPhase", fmt::format("{} degrees", start_phase.degrees()),
+        fmt::format("give at least 0 and less than {:.1f} degrees.", period.degrees()));
   if (x == 0.0) return path;
   const double missing = (period - start_phase).turns();
   Vec3 from = path.start.tip;

@@ -15,7 +15,7 @@
 namespace patchmill {
 namespace {
 
-constexpr double kRowHeadroom = 1.8;      // kinks of a row are passed at up to this multiple of speed
+constexpr double kRowHeadroom = 1.8;  // kinks of a row are passed at up to this multiple of speed
 constexpr double kFinestRounding = 1e-6;  // mm, G64 P with six decimals
 constexpr double kCoarsestRow = 5e-4;     // mm of rounding that a row may have on a dimple
 constexpr double kLongestStep = 2.5;      // a step longer than this times the shortest is a gap
@@ -95,9 +95,9 @@ std::vector<Step> steps_between(const std::vector<Planned>& planned, const Paced
 
 class Builder {
  public:
-  Builder(const std::vector<Planned>& planned, const std::vector<Step>& steps, const PacedRule& rule,
-          const BallEndMill& tool, const Spindle& spindle, const MotionModel& model,
-          const Decimals& decimals)
+  Builder(const std::vector<Planned>& planned, const std::vector<Step>& steps,
+          const PacedRule& rule, const BallEndMill& tool, const Spindle& spindle,
+          const MotionModel& model, const Decimals& decimals)
       : planned_(planned),
         steps_(steps),
         rule_(rule),
@@ -140,11 +140,14 @@ class Builder {
     return count ? sum / count : steps_[0].length;
   }
   bool same_patch(std::size_t i) const { return planned_[i].patch == planned_[i + 1].patch; }
-  double angle(const Vec3& a, const Vec3& b) const { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+  double angle(const Vec3& a, const Vec3& b) const {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  }
   /// The largest kink that the coarsest rounding passes at speed.
   bool smooth(const Vec3& a, const Vec3& b) const {
     const double v = kRowHeadroom * shape_speed_;
-    return angle(a, b) < 0.5 && tolerance_for_speed(angle(a, b), v, model_.acceleration) <= kCoarsestRow;
+    return angle(a, b) < 0.5 &&
+           tolerance_for_speed(angle(a, b), v, model_.acceleration) <= kCoarsestRow;
   }
   bool in_row(std::size_t i, const Vec3& direction) const {
     if (!same_patch(i)) return false;
@@ -154,16 +157,24 @@ class Builder {
   double row_tolerance() const {
     double kink = 0.0;
     for (std::size_t i = 1; i < steps_.size(); ++i)
-      if (same_patch(i - 1) && same_patch(i) && smooth(steps_[i - 1].direction, steps_[i].direction))
+      if (same_patch(i - 1) && same_patch(i) &&
+          smooth(steps_[i - 1].direction, steps_[i].direction))
         kink = std::max(kink, angle(steps_[i - 1].direction, steps_[i].direction));
     const double t = tolerance_for_speed(kink, kRowHeadroom * shape_speed_, model_.acceleration);
     return std::ceil(std::max(t, kFinestRounding) / kFinestRounding) * kFinestRounding;
   }
-  /// How the tool runs over dimple i: along the step that follows in its patch, else along the last.
+  /// How the tool runs over dimple i: along the step that follows in its patch, else along the
+  /// last.
   RowEnd arriving_at(std::size_t i) const {
     const bool next = i < steps_.size() && same_patch(i);
-    const Step& step = steps_[next || i == 0 ? i : i - 1];
-    return {planned_[i].tip, planned_[i].normal, step.direction, step.pitch()};
+    return row_end(i, steps_[next || i == 0 ? i : i - 1], next || i == 0 ? i : i - 1);
+  }
+  /// Dimple i, run over along `step`, which is step k.
+  RowEnd row_end(std::size_t i, const Step& step, std::size_t k) const {
+    const Vec3 bend = planned_[k + 1].normal - planned_[k].normal;
+    return {planned_[i].tip, planned_[i].normal,
+            step.direction,  step.pitch(),
+            step.length,     std::max(0.0, -bend.dot(step.direction) / step.length)};
   }
 
   void push(Move move, std::int32_t dimple) {
@@ -185,7 +196,7 @@ class Builder {
     const Step& step = steps_[i];
     push({{planned_[i + 1].tip, Vec3::UnitZ()}, step.turns, kNoDimple, MoveKind::Cut},
          planned_[i + 1].number);
-    return {planned_[i + 1].tip, planned_[i + 1].normal, step.direction, step.pitch()};
+    return row_end(i + 1, step, i);
   }
   RowEnd turn_around(std::size_t i, const RowEnd& from) {
     const RowEnd to = arriving_at(i + 1);
@@ -197,20 +208,22 @@ class Builder {
     const double short_of = -turnaround(from, to, turns, shape_, detour, spindle_, model_).slack;
     turns += period_ * std::max(0.0, std::ceil((short_of - late_) * spindle_.speed / period_));
     const std::size_t first = result_.path.moves.size();
-    push(turnaround(from, to, turns, shape_, detour, spindle_, model_).moves, planned_[i + 1].number);
+    push(turnaround(from, to, turns, shape_, detour, spindle_, model_).moves,
+         planned_[i + 1].number);
     spans_.push_back({first, first + 2, result_.path.moves.size()});
     ++result_.turnarounds;
     return to;
   }
   /// Whether the chord between the lifted ends stays above a surface that bends as the normals say.
   bool clears(const RowEnd& from, const RowEnd& to) const {
-    const double way = (to.tip - from.tip).norm() + 2.0 * (shape_.flat + shape_.out + shape_.run_in);
-    return way * angle(from.normal, to.normal) / 8.0 < 0.5 * shape_.lift && way < 20.0 * shape_.lift +
-           10.0 * shortest_;
+    const double way =
+        (to.tip - from.tip).norm() + 2.0 * (shape_.flat + shape_.out + shape_.run_in);
+    return way * angle(from.normal, to.normal) / 8.0 < 0.5 * shape_.lift &&
+           way < 20.0 * shape_.lift + 10.0 * shortest_;
   }
-  /// Roundings take turns away. In a turn-around every move keeps the pitch that it was planned with,
-  /// so that the lock has nothing to catch up where the tool is fast, and the way back between the two
-  /// stops, which starts at `free`, takes up the sum.
+  /// Roundings take turns away. In a turn-around every move keeps the pitch that it was planned
+  /// with, so that the lock has nothing to catch up where the tool is fast, and the way back
+  /// between the two stops, which starts at `free`, takes up the sum.
   void keep_pitches() {
     ToolPath& path = result_.path;
     const std::vector<Corner> corner = corners(path, model_);
@@ -278,10 +291,11 @@ PacedPath paced_path(const Dimples& dimples, const BallEndMill& tool, const Spin
   }
   for (const Planned& p : planned)
     if (p.tip.z() + rule.lift > rule.safe_height)
-      throw InputError("SafeHeight", fmt::format("{} mm", rule.safe_height),
-                       fmt::format("the tool tip is at Z {:.3f} mm on dimple {}: give a greater safe "
-                                   "height.",
-                                   p.tip.z(), p.number));
+      throw InputError(
+          "SafeHeight", fmt::format("{} mm", rule.safe_height),
+          fmt::format("the tool tip is at Z {:.3f} mm on dimple {}: give a greater safe "
+                      "height.",
+                      p.tip.z(), p.number));
   return Builder(planned, steps, rule, tool, spindle, model, decimals).build();
 }
 

@@ -11,9 +11,9 @@
 namespace patchmill {
 namespace {
 
-constexpr double kHeadroom = 1.5;        // roundings are passed at up to this multiple of the speed
-constexpr double kSteepest = 0.5;        // slope of a ramp
-constexpr double kClearOfDimple = 0.1;   // of a step, straight on both sides of a dimple
+constexpr double kHeadroom = 1.5;       // roundings are passed at up to this multiple of the speed
+constexpr double kSteepest = 0.5;       // slope of a ramp
+constexpr double kClearOfDimple = 0.1;  // of a step, straight on both sides of a dimple
 constexpr int kTrimChoices = 50;
 constexpr double kSwallowPeriods = 5.2;  // a stretch passed in fewer is swallowed by a rounding
 constexpr double kDeadPeriods = 1.5;     // that a stop costs beyond its continuous time
@@ -28,17 +28,26 @@ struct RunIn {
   Vec3 start, ramp, surface;
 };
 
+// Height over the row's chord, prolonged by `way`, of a surface that bends up.
+double rise(const RowEnd& end, double way) {
+  return 0.5 * end.concavity * way * (way + end.step);
+}
+
+Vec3 surface_after(const RowEnd& from, double way) {
+  return from.tip + way * from.direction + rise(from, way) * from.normal;
+}
+Vec3 surface_before(const RowEnd& to, double way) {
+  return to.tip - way * to.direction + rise(to, way) * to.normal;
+}
+
 RunIn run_in(const RowEnd& to, double straight, const TurnaroundShape& shape) {
-  RunIn points;
-  points.surface = to.tip - shape.flat * to.direction;
-  points.ramp = points.surface - (shape.lift / shape.slope) * to.direction + shape.lift * to.normal;
-  points.start = points.ramp - straight * to.direction;
-  return points;
+  const double ramp = shape.flat + shape.lift / shape.slope, start = ramp + straight;
+  return {surface_before(to, start) + shape.lift * to.normal,
+          surface_before(to, ramp) + shape.lift * to.normal, surface_before(to, shape.flat)};
 }
 
 Vec3 lifted_end(const RowEnd& from, const TurnaroundShape& shape) {
-  return from.tip + (shape.flat + shape.out) * from.direction +
-         (shape.out * shape.slope) * from.normal;
+  return surface_after(from, shape.flat + shape.out) + shape.out * shape.slope * from.normal;
 }
 
 double leg_time(const Vec3& a, const Vec3& b, const MotionModel& model) {
@@ -57,13 +66,13 @@ TurnaroundShape turnaround_shape(double step, double lift, double speed, const M
   const double unswallowed = kSwallowPeriods * model.period * v;
   TurnaroundShape shape;
   shape.lift = lift;
-  // A rounding takes trim = v² tan(theta / 2) / (sqrt(3)/2 a), about v² slope / (sqrt(3) a). The more
-  // trim, the steeper the ramp but the later it begins: take what is highest one tooth away.
+  // A rounding takes trim = v² tan(theta / 2) / (sqrt(3)/2 a), about v² slope / (sqrt(3) a). The
+  // more trim, the steeper the ramp but the later it begins: take what is highest one tooth away.
   double highest = -1.0, best_trim = 0.0;
   for (int i = 1; i <= kTrimChoices; ++i) {
     const double trim = step * i / kTrimChoices;
-    const double slope = std::min({kSteepest, trim * std::sqrt(3.0) * a / (v * v),
-                                   lift / (2.0 * trim + unswallowed)});
+    const double slope = std::min(
+        {kSteepest, trim * std::sqrt(3.0) * a / (v * v), lift / (2.0 * trim + unswallowed)});
     const double flat = trim + std::max(kClearOfDimple * step, unswallowed);
     const double height = std::min(lift, (step - flat) * slope);
     if (height <= highest) continue;
@@ -94,7 +103,7 @@ Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
                       const TurnaroundShape& shape, double safe_height, const Spindle& spindle,
                       const MotionModel& model) {
   const double slant = std::hypot(1.0, shape.slope), rate = spindle.speed;
-  const Vec3 edge = from.tip + shape.flat * from.direction, top = lifted_end(from, shape);
+  const Vec3 edge = surface_after(from, shape.flat), top = lifted_end(from, shape);
   const RunIn in = run_in(to, shape.run_in, shape);
   std::vector<Vec3> stops{top};
   if (!std::isnan(safe_height)) {
@@ -105,7 +114,8 @@ Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
 
   // turns of the stretches at the rows' own pitches
   const double flat_out = shape.flat / from.pitch, ramp_out = shape.out * slant / from.pitch;
-  const double ramp_in = shape.lift / shape.slope * slant / to.pitch, flat_in = shape.flat / to.pitch;
+  const double ramp_in = shape.lift / shape.slope * slant / to.pitch,
+               flat_in = shape.flat / to.pitch;
   // gathering speed from rest takes v / 2a longer than the way at v
   const double a = model.acceleration, dead = kDeadPeriods * model.period;
   double gather = shape.run_in / to.pitch + rate * (to.pitch * rate / (2.0 * a) + dead);
@@ -139,19 +149,18 @@ Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
 }
 
 Vec3 lead_in_start(const RowEnd& to, double seed, const TurnaroundShape& shape) {
-  return run_in(to, seed, shape).start;
+  const double way = shape.lift / shape.slope + seed;
+  return surface_before(to, shape.flat + way) + way * shape.slope * to.normal;
 }
 
 std::vector<Move> lead_in(const RowEnd& to, double seed, const TurnaroundShape& shape) {
-  const RunIn in = run_in(to, seed, shape);
-  const double ramp = shape.lift / shape.slope * std::hypot(1.0, shape.slope);
-  return {moved(in.ramp, seed / to.pitch, shape.tolerance, MoveKind::Link),
-          moved(in.surface, ramp / to.pitch, shape.tolerance),
+  const Vec3 start = lead_in_start(to, seed, shape), surface = surface_before(to, shape.flat);
+  return {moved(surface, (surface - start).norm() / to.pitch, shape.tolerance),
           moved(to.tip, shape.flat / to.pitch, 0.0)};
 }
 
 std::vector<Move> lead_out(const RowEnd& from, const TurnaroundShape& shape) {
-  const Vec3 edge = from.tip + shape.flat * from.direction, top = lifted_end(from, shape);
+  const Vec3 edge = surface_after(from, shape.flat), top = lifted_end(from, shape);
   return {moved(edge, shape.flat / from.pitch, shape.tolerance),
           moved(top, shape.out * std::hypot(1.0, shape.slope) / from.pitch, 0.0)};
 }

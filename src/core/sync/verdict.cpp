@@ -55,7 +55,8 @@ PredictedPhase predicted_phase(const ToolPath& path, const MotionModel& model,
     const double turns = prediction.ends[i].turns;
     if (result.errors.empty()) first = turns;
     const Angle at = Angle::turns(turns) * path.spindle.sign();
-    result.errors.push_back({dimple, (at - wanted[index]).wrapped_signed(period), turns - first, 0});
+    result.errors.push_back(
+        {dimple, (at - wanted[index]).wrapped_signed(period), turns - first, 0});
   }
   result.known = true;
   if (result.errors.empty()) return result;
@@ -132,8 +133,8 @@ Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle
   }
   verdict.holding = Holding::HoldsUpTo;
   verdict.speed = slow;
-  verdict.sentence = fmt::format("Holds up to {:.0f} rpm: at {:.0f} rpm {}.", std::floor(60.0 * slow),
-                                 60.0 * spindle.speed, off);
+  verdict.sentence = fmt::format("Holds up to {:.0f} rpm: at {:.0f} rpm {}.",
+                                 std::floor(60.0 * slow), 60.0 * spindle.speed, off);
   return verdict;
 }
 
