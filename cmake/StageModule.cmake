@@ -1,0 +1,20 @@
+# Stages build/Mod/PatchMill, the tree that FreeCAD loads (freecadcmd -M build/Mod/PatchMill), and
+# installs the same tree into Mod/PatchMill below the prefix. Python files are links in the staged tree,
+# so an edit needs no build.
+set(STAGE ${CMAKE_BINARY_DIR}/Mod/PatchMill)
+set_target_properties(_patchmill PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${STAGE})
+
+set(MODULE_FILES Init.py InitGui.py package.xml LICENSE README.md)
+file(MAKE_DIRECTORY ${STAGE})
+foreach(FILE ${MODULE_FILES})
+  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${FILE} ${STAGE}/${FILE} SYMBOLIC)
+endforeach()
+file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/patchmill ${STAGE}/patchmill SYMBOLIC)
+file(CREATE_LINK ${CMAKE_SOURCE_DIR}/Gui ${STAGE}/patchmill_gui SYMBOLIC)
+file(CREATE_LINK ${CMAKE_SOURCE_DIR}/Resources ${STAGE}/Resources SYMBOLIC)
+
+install(TARGETS _patchmill DESTINATION Mod/PatchMill)
+install(FILES ${MODULE_FILES} DESTINATION Mod/PatchMill)
+install(DIRECTORY src/patchmill DESTINATION Mod/PatchMill PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY Gui/ DESTINATION Mod/PatchMill/patchmill_gui PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY Resources DESTINATION Mod/PatchMill)

@@ -59,19 +59,31 @@ FaceProjection::FaceProjection(const TopoDS_Face& face, const TexturePlane& plan
     : frame_(plane),
       plane_(plane),
       surface_(face, false),
+      polynomial_(polynomial_of(face)),
       reversed_(face.Orientation() == TopAbs_REVERSED),
       trim_(face),
       box_{trim_.u_min(), trim_.u_max(), trim_.v_min(), trim_.v_max()},
-      seeds_([this](double u, double v) { return plan(u, v); }, box_, first_cells(surface_, true),
-             first_cells(surface_, false)),
+      seeds_(
+          [this, work = worker()](double u, double v) {
+            return Vec2(frame_.coordinates(d1(u, v, work).point).head<2>());
+          },
+          box_, first_cells(surface_, true), first_cells(surface_, false)),
       intersector_(face, Precision::Confusion()) {}
 
-Vec2 FaceProjection::plan(double u, double v) const {
-  return frame_.coordinates(vec(surface_.Value(u, v).XYZ())).head<2>();
+FaceProjection::Worker FaceProjection::worker() const {
+  return {polynomial_ ? Handle(Adaptor3d_Surface)() : surface_.ShallowCopy(), {}};
 }
 
-FaceProjection::Worker FaceProjection::worker() const {
-  return {surface_.ShallowCopy(), {}};
+SurfaceD1 FaceProjection::d1(double u, double v, const Worker& worker) const {
+  if (polynomial_) return polynomial_->d1(u, v);
+  gp_Pnt p;
+  gp_Vec pu, pv;
+  worker.surface->D1(u, v, p, pu, pv);
+  return {vec(p.XYZ()), vec(pu.XYZ()), vec(pv.XYZ())};
+}
+
+Vec3 FaceProjection::normal_of(const SurfaceD1& at) const {
+  return (reversed_ ? -1.0 : 1.0) * at.du.cross(at.dv).normalized();
 }
 
 // One ray from one seed. Left: the iteration went off the parameter rectangle, so there is nothing
@@ -80,12 +92,10 @@ FaceProjection::Outcome FaceProjection::newton(const Vec2& q, const Seed& seed, 
                                                Seed& root, Hit& hit) const {
   const double margin_u = 0.05 * (box_.u1 - box_.u0), margin_v = 0.05 * (box_.v1 - box_.v0);
   double u = seed.u, v = seed.v;
-  gp_Pnt p;
-  gp_Vec pu, pv;
   for (int i = 0; i < kMostSteps; ++i) {
-    worker.surface->D1(u, v, p, pu, pv);
-    const Vec3 at = frame_.coordinates(vec(p.XYZ()));
-    const Vec3 su = frame_.along(vec(pu.XYZ())), sv = frame_.along(vec(pv.XYZ()));
+    const SurfaceD1 surface = d1(u, v, worker);
+    const Vec3 at = frame_.coordinates(surface.point);
+    const Vec3 su = frame_.along(surface.du), sv = frame_.along(surface.dv);
     const double ru = q.x() - at.x(), rv = q.y() - at.y();
     const double det = su.x() * sv.y() - su.y() * sv.x();
     const double size = su.norm() * sv.norm();
@@ -94,11 +104,10 @@ FaceProjection::Outcome FaceProjection::newton(const Vec2& q, const Seed& seed, 
     u += du;
     v += dv;
     if (std::abs(ru) + std::abs(rv) < kNearEnough) {
-      const Vec3 normal = vec(pu.XYZ()).cross(vec(pv.XYZ()));
       root = {u, v};
       hit.depth = at.z() + du * su.z() + dv * sv.z();
       hit.point.position = plane_.at(q) + hit.depth * plane_.direction;
-      hit.point.normal = (reversed_ ? -1.0 : 1.0) * normal.normalized();
+      hit.point.normal = normal_of(surface);
       return Outcome::Converged;
     }
     if (u < box_.u0 - margin_u || u > box_.u1 + margin_u || v < box_.v0 - margin_v ||
@@ -149,12 +158,9 @@ std::optional<Hit> FaceProjection::ask_intersector(const Vec2& q, Worker& worker
 
 // The normal at a place where the parametrisation may be degenerate (a pole): a hair's breadth
 // inside.
-Vec3 FaceProjection::normal_near(const Seed& at, Worker& worker) const {
+Vec3 FaceProjection::normal_near(const Seed& at, const Worker& worker) const {
   const double u_middle = 0.5 * (box_.u0 + box_.u1), v_middle = 0.5 * (box_.v0 + box_.v1);
-  gp_Pnt p;
-  gp_Vec pu, pv;
-  worker.surface->D1(at.u + 1e-7 * (u_middle - at.u), at.v + 1e-7 * (v_middle - at.v), p, pu, pv);
-  return (reversed_ ? -1.0 : 1.0) * vec(pu.XYZ()).cross(vec(pv.XYZ())).normalized();
+  return normal_of(d1(at.u + 1e-7 * (u_middle - at.u), at.v + 1e-7 * (v_middle - at.v), worker));
 }
 
 }  // namespace patchmill

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "brep/polynomial_of_face.h"
 #include "brep/seed_grid.h"
 #include "brep/trim_grid.h"
 #include "core/patch/dimple.h"
@@ -36,7 +37,8 @@ class FaceProjection {
  public:
   FaceProjection(const TopoDS_Face& face, const TexturePlane& plane);
 
-  /// State of one worker: a surface evaluator of its own, since OpenCASCADE's cache spans.
+  /// State of one worker: an OpenCASCADE evaluator of its own, since they cache what they evaluated
+  /// last (null where the polynomial serves), and scratch space.
   struct Worker {
     Handle(Adaptor3d_Surface) surface;
     std::vector<Seed> seeds;
@@ -54,12 +56,14 @@ class FaceProjection {
   enum class Outcome { Converged, Left, Failed };
   Outcome newton(const Vec2& q, const Seed& seed, Worker& worker, Seed& root, Hit& hit) const;
   std::optional<Hit> ask_intersector(const Vec2& q, Worker& worker) const;
-  Vec3 normal_near(const Seed& at, Worker& worker) const;
-  Vec2 plan(double u, double v) const;
+  Vec3 normal_near(const Seed& at, const Worker& worker) const;
+  Vec3 normal_of(const SurfaceD1& at) const;
+  SurfaceD1 d1(double u, double v, const Worker& worker) const;
 
   ObliqueFrame frame_;
   TexturePlane plane_;
   BRepAdaptor_Surface surface_;
+  std::optional<PolynomialSurface> polynomial_;  // of spline surfaces, for speed
   bool reversed_;
   TrimGrid trim_;
   ParameterBox box_;

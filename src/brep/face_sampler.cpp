@@ -39,9 +39,9 @@ FaceSampler::~FaceSampler() = default;
 FaceSampler::FaceSampler(FaceSampler&&) noexcept = default;
 FaceSampler& FaceSampler::operator=(FaceSampler&&) noexcept = default;
 
-std::vector<SurfaceHit> FaceSampler::sample(const std::vector<Vec2>& points,
-                                            const Progress& progress) const {
-  std::vector<SurfaceHit> hits(points.size());
+std::vector<SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& points,
+                                               const Progress& progress) const {
+  std::vector<SurfaceSample> samples(points.size());
   std::atomic<bool> stop{false};
   std::atomic<std::size_t> done{0};
   std::mutex reporting;
@@ -51,36 +51,26 @@ std::vector<SurfaceHit> FaceSampler::sample(const std::vector<Vec2>& points,
     std::vector<FaceProjection::Worker> workers;
     for (const auto& face : faces_) workers.push_back(face->worker());
     for (std::size_t i = part.begin(); i < part.end(); ++i) {
-      double depth = 0.0;
+      std::optional<Hit> first;
       for (std::size_t f = 0; f < faces_.size(); ++f) {
         const std::optional<Hit> hit = faces_[f]->first_hit(points[i], workers[f]);
-        if (!hit || (hits[i].face >= 0 && hit->depth >= depth)) continue;
-        depth = hit->depth;
-        hits[i].point = hit->point;
-        hits[i].face = static_cast<int>(f);
+        if (hit && (!first || hit->depth < first->depth)) first = hit;
       }
-      if (hits[i].face < 0) continue;
-      const bool steep = hits[i].point.normal.dot(-plane_.direction) < least_cosine_;
-      hits[i].state = steep ? DimpleState::TooSteep : DimpleState::Cut;
+      if (first) samples[i] = {first->point, state_of(first->point.normal)};
     }
     done += part.size();
     if (!progress) return;
     const std::lock_guard<std::mutex> lock(reporting);
     if (!progress(static_cast<double>(done) / static_cast<double>(points.size()))) stop = true;
   });
-  if (stop) hits.clear();
-  return hits;
+  if (stop) samples.clear();
+  return samples;
 }
 
-bool FaceSampler::sample(const std::vector<Vec2>& places, Dimples& dimples,
-                         const Progress& progress) const {
-  const std::vector<SurfaceHit> hits = sample(places, progress);
-  if (hits.size() != dimples.size()) return dimples.empty();
-  for (std::size_t k = 0; k < dimples.size(); ++k) {
-    dimples[k].surface = hits[k].point;
-    dimples[k].state = hits[k].state;
-  }
-  return true;
+DimpleState FaceSampler::state_of(const Vec3& normal) const {
+  const double cosine = normal.dot(-plane_.direction);
+  if (cosine >= least_cosine_) return DimpleState::Cut;
+  return cosine > 0.0 ? DimpleState::TooSteep : DimpleState::Undercut;
 }
 
 std::pair<Vec2, Vec2> FaceSampler::extent() const {

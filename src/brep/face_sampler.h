@@ -9,7 +9,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/geometry/progress.h"
-#include "core/patch/dimple.h"
+#include "core/patch/sampler.h"
 #include "core/patch/texture_plane.h"
 
 #include <memory>
@@ -21,13 +21,6 @@ namespace patchmill {
 
 class FaceProjection;
 
-/// What a ray of the projection meets first.
-struct SurfaceHit {
-  SurfacePoint point;
-  int face = -1;                             ///< index of the face, -1 if none is met
-  DimpleState state = DimpleState::OffFace;  ///< Cut, OffFace or TooSteep
-};
-
 class FaceSampler {
  public:
   /// `steepest`: greatest angle between the normal out of the material and -direction that may be
@@ -38,16 +31,11 @@ class FaceSampler {
   FaceSampler(FaceSampler&&) noexcept;
   FaceSampler& operator=(FaceSampler&&) noexcept;
 
-  /// Projects points of the texture plane [mm]. Result i belongs to point i, whatever the number of
-  /// threads. Positions are exact to 1e-9 mm along the plane. Returns an empty vector if `progress`
-  /// asked for a stop.
-  std::vector<SurfaceHit> sample(const std::vector<Vec2>& points,
-                                 const Progress& progress = {}) const;
-
-  /// Projects each dimple's place `places[i]` and sets surface and state. Returns false, with the
-  /// dimples unchanged, if stopped.
-  bool sample(const std::vector<Vec2>& places, Dimples& dimples,
-              const Progress& progress = {}) const;
+  /// Projects points of the texture plane [mm]. Sample i belongs to point i, whatever the number of
+  /// threads. Positions are exact to 1e-9 mm along the plane. States: Cut, OffFace, TooSteep, Undercut.
+  /// Returns an empty vector if `progress` asked for a stop.
+  std::vector<SurfaceSample> sample(const std::vector<Vec2>& points,
+                                    const Progress& progress = {}) const;
 
   /// Rectangle of the texture plane that the faces cover: {least, greatest} coordinates [mm].
   std::pair<Vec2, Vec2> extent() const;
@@ -56,6 +44,8 @@ class FaceSampler {
   long fallbacks() const;
 
  private:
+  DimpleState state_of(const Vec3& normal) const;
+
   TexturePlane plane_;
   double least_cosine_;
   std::vector<std::unique_ptr<FaceProjection>> faces_;

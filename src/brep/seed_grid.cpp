@@ -9,7 +9,7 @@ namespace patchmill {
 namespace {
 
 constexpr int kMostCells = 512;
-constexpr double kFlat = 0.02, kMargin = 0.15;
+constexpr double kFlat = 0.005, kMargin = 0.15;
 
 double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();

@@ -24,7 +24,7 @@ class SeedGrid {
  public:
   /// `plan(u, v)`: where the surface point lies in the texture plane, along the projection
   /// direction. `u_cells`, `v_cells`: a first guess of how many cells it takes; doubled (up to 512)
-  /// until the cells are flat: middles within 2 % of the cell's diagonal from where bilinear
+  /// until the cells are flat: middles within 0.5 % of the cell's diagonal from where bilinear
   /// interpolation puts them.
   SeedGrid(const std::function<Vec2(double, double)>& plan, const ParameterBox& box, int u_cells,
            int v_cells);

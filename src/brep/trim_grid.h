@@ -1,6 +1,7 @@
 // Is a parameter pair inside a trimmed face? A grid over the parameter rectangle answers at once
 // for cells that no trimming curve comes near; in the others OpenCASCADE's exact classifier is
-// asked. SPDX-License-Identifier: LGPL-2.1-or-later
+// asked.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <cstdint>

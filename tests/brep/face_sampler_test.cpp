@@ -67,7 +67,7 @@ TEST(FaceSampler, EqualsOpenCascadesIntersector) {
   int on = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     peer.Perform(gp_Lin(gp_Pnt(points[i].x(), points[i].y(), 100), gp_Dir(0, 0, -1)), 0, 200);
-    ASSERT_EQ(peer.NbPnt() > 0, hits[i].face == 0) << points[i].transpose();
+    ASSERT_EQ(peer.NbPnt() > 0, on_face(hits[i].state)) << points[i].transpose();
     if (peer.NbPnt() == 0) continue;
     ++on;
     EXPECT_NEAR(peer.Pnt(1).Z(), hits[i].point.position.z(), 1e-7) << points[i].transpose();
@@ -109,7 +109,7 @@ TEST(FaceSampler, TorusIsHitOnItsNearSideOnly) {
   const FaceSampler sampler(faces_of(torus), plane, Angle::degrees(70));
   for (double y : {0.0, 2.5, -6.0, 9.5, -12.0}) {
     const auto hit = sampler.sample({Vec2(y, 0.0)})[0];
-    ASSERT_GE(hit.face, 0);
+    ASSERT_TRUE(on_face(hit.state));
     EXPECT_NEAR(hit.point.position.x(), std::sqrt(13.0 * 13.0 - y * y), 1e-9);
   }
   EXPECT_EQ(sampler.sample({Vec2(13.1, 0)})[0].state, DimpleState::OffFace);

@@ -53,6 +53,8 @@ class Angle {
   double rad_ = 0.0;
 };
 
-constexpr Angle operator*(double k, Angle a) { return a * k; }
+constexpr Angle operator*(double k, Angle a) {
+  return a * k;
+}
 
 }  // namespace patchmill

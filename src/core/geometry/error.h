@@ -1,5 +1,6 @@
-// Typed errors for bad input: each names the property, the value and the remedy, so that a panel can
-// show it beside the field and a batch can log it. Outcomes that are not faults are values, not errors.
+// Typed errors for bad input: each names the property, the value and the remedy, so that a panel
+// can show it beside the field and a batch can log it. Outcomes that are not faults are values, not
+// errors.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -26,7 +27,8 @@ class InputError : public std::runtime_error {
   std::string property_, value_, remedy_;
 };
 
-/// Throws InputError unless `value` is finite and greater than zero. `unit` is for the message only.
+/// Throws InputError unless `value` is finite and greater than zero. `unit` is for the message
+/// only.
 void require_positive(const char* property, double value, const char* unit);
 
 /// Throws InputError unless lo <= value <= hi (NaN fails).

@@ -1,5 +1,5 @@
-// Progress and cancellation of long work. Cancelling is an outcome, not a fault: functions that take
-// a Progress say what they return when it stops them.
+// Progress and cancellation of long work. Cancelling is an outcome, not a fault: functions that
+// take a Progress say what they return when it stops them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -12,6 +12,8 @@ namespace patchmill {
 using Progress = std::function<bool(double share)>;
 
 /// True if the work may go on.
-inline bool go_on(const Progress& progress, double share) { return !progress || progress(share); }
+inline bool go_on(const Progress& progress, double share) {
+  return !progress || progress(share);
+}
 
 }  // namespace patchmill

@@ -1,5 +1,6 @@
 // ToolPath as the text that FreeCAD's Path.Path(text) reads: FreeCAD's own internal dialect, F in
-// mm/s. SPDX-License-Identifier: LGPL-2.1-or-later
+// mm/s.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/path/tool_path.h"

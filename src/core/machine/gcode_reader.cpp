@@ -73,7 +73,11 @@ void Reader::read(std::string_view text, long number) {
   Line line;
   line.text = text;
   line.number = number;
-  for (const GcodeWord& w : gcode_words(text, number)) word(w, line);
+  const std::vector<GcodeWord> words = gcode_words(text, number);
+  for (const GcodeWord& w : words)  // S comes before M3 in a block's order of execution
+    if (w.letter == 'S') word(w, line);
+  for (const GcodeWord& w : words)
+    if (w.letter != 'S') word(w, line);
   if (!std::isnan(line.f))
     state_.feed = line.f * (state_.mode == FeedMode::PerMinute ? state_.unit : 1.0);
   if (line.dwell) dwell(line);

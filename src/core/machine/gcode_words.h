@@ -1,6 +1,6 @@
 // One line of G-code split into words. RS-274: a letter and a number, blanks allowed anywhere
-// between them; comments in parentheses or after a semicolon. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// between them; comments in parentheses or after a semicolon.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <string>

@@ -14,6 +14,18 @@ const char* name(DimpleState state) {
       return "too steep";
     case DimpleState::ToolTip:
       return "tool tip";
+    case DimpleState::Undercut:
+      return "undercut";
+    case DimpleState::NearEdge:
+      return "near an edge";
+    case DimpleState::Sliver:
+      return "sliver";
+    case DimpleState::Masked:
+      return "masked";
+    case DimpleState::NoFacet:
+      return "no facet";
+    case DimpleState::OffNet:
+      return "off the net";
   }
   return "?";
 }

@@ -1,13 +1,14 @@
 // SurfacePoint and Dimple: what sampling a face and dividing it into patches give.
-// Xu & Sasahara 2016, section 2.2.1: the dimples of a planar patch, projected on the target surface.
+// Xu & Sasahara 2016, section 2.2.1: the dimples of a planar patch, projected on the target
+// surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+
+#include "core/geometry/vec.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
-
-#include "core/geometry/vec.h"
 
 namespace patchmill {
 
@@ -17,8 +18,14 @@ enum class DimpleState : std::uint8_t {
   OffFace,   ///< the ray meets no trimmed face
   TooSteep,  ///< the face's normal is further from the projection direction than the limit
   ToolTip,   ///< n parallel to t within the limit: the contact azimuth is undefined, the tip rubs
+  Undercut,  ///< the face looks away from where the projection comes from
+  NearEdge,  ///< nearer to an edge of the faces than the margin
+  Sliver,    ///< its patch has too few dimples on the faces to be worth milling
+  Masked,    ///< left out by an image or a curve
+  NoFacet,   ///< its planar patch or facet would stand along the projection direction
+  OffNet,    ///< a lattice laid on the surface does not reach so far
 };
-constexpr int kDimpleStates = 4;
+constexpr int kDimpleStates = 10;
 const char* name(DimpleState state);
 
 /// A place on a face and the unit normal out of the material there [mm].
@@ -35,6 +42,9 @@ struct Dimple {
   LatticePoint lattice{};
   std::int32_t patch = 0;  ///< number of its patch, in the order in which patches are milled
   DimpleState state = DimpleState::Cut;
+  /// How far below the surface point the dimple's bottom lies [mm]: the ball centre is at
+  /// position + (R - depth) normal. 0 where the bottoms themselves make the surface.
+  double depth = 0.0;
 };
 
 /// All lattice points that were tried, in milling order: patch by patch, helix by helix. A dimple's

@@ -1,16 +1,16 @@
 // ToolPath: the one currency between planner, writers, reader, simulator, checks and display.
-// An ordered list of timed moves; each ends on a pose and says how many spindle turns it is planned to
-// take, and so how long. Positions are tool tips in the work frame [mm]; the ball centre is
-// tip + R * axis, and stays where it is when only the axis changes.
+// An ordered list of timed moves; each ends on a pose and says how many spindle turns it is planned
+// to take, and so how long. Positions are tool tips in the work frame [mm]; the ball centre is tip
+// + R * axis, and stays where it is when only the axis changes.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
+
+#include "core/geometry/angle.h"
+#include "core/geometry/vec.h"
 
 #include <cstdint>
 #include <limits>
 #include <vector>
-
-#include "core/geometry/angle.h"
-#include "core/geometry/vec.h"
 
 namespace patchmill {
 
@@ -25,12 +25,15 @@ struct BallEndMill {
   int flutes = 0;       ///< N
 };
 
-inline Vec3 ball_centre(const ToolPose& pose, double radius) { return pose.tip + radius * pose.axis; }
+inline Vec3 ball_centre(const ToolPose& pose, double radius) {
+  return pose.tip + radius * pose.axis;
+}
 inline ToolPose pose_of_ball(const Vec3& centre, const Vec3& axis, double radius) {
   return {centre - radius * axis, axis};
 }
 
-/// M3 turns clockwise seen from the holder, that is negatively about the tool axis; M4 the other way.
+/// M3 turns clockwise seen from the holder, that is negatively about the tool axis; M4 the other
+/// way.
 enum class SpindleSense : std::int8_t { M3 = -1, M4 = +1 };
 
 struct Spindle {
@@ -75,15 +78,17 @@ struct ToolPath {
 };
 
 /// Duration of a move [s]; NaN where the turns are unknown.
-inline double duration(const Move& move, const Spindle& spindle) { return move.turns / spindle.speed; }
+inline double duration(const Move& move, const Spindle& spindle) {
+  return move.turns / spindle.speed;
+}
 
 /// Sums over a path: what a report shows.
 struct PathStatistics {
-  double cut_length = 0.0;    ///< tip travel [mm]
-  double link_length = 0.0;   ///< [mm]
-  double rapid_length = 0.0;  ///< [mm]
-  double timed_seconds = 0.0; ///< of all moves but rapids
-  double cut_turns = 0.0;     ///< spindle turns in cut moves
+  double cut_length = 0.0;     ///< tip travel [mm]
+  double link_length = 0.0;    ///< [mm]
+  double rapid_length = 0.0;   ///< [mm]
+  double timed_seconds = 0.0;  ///< of all moves but rapids
+  double cut_turns = 0.0;      ///< spindle turns in cut moves
   double link_turns = 0.0;
   std::int64_t dimples = 0;
   std::int64_t untimed_moves = 0;  ///< moves whose turns are unknown

@@ -67,7 +67,8 @@ std::vector<Planned> plan(const Dimples& dimples, double radius, const Decimals&
     const Dimple& dimple = dimples[k];
     if (dimple.state != DimpleState::Cut) continue;
     const Vec3& n = dimple.surface.normal;
-    const Vec3 tip = dimple.surface.position + radius * (n - Vec3::UnitZ());
+    const Vec3 centre = dimple.surface.position + (radius - dimple.depth) * n;
+    const Vec3 tip = centre - radius * Vec3::UnitZ();
     planned.push_back(
         {decimals.round(tip), n, contact_azimuth(n), static_cast<std::int32_t>(k), dimple.patch});
   }
@@ -160,7 +161,8 @@ ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, con
   for (std::size_t i = 1; i < planned.size(); ++i) {
     const Planned &a = planned[i - 1], &b = planned[i];
     const double turns = spindle_advance(a.azimuth, b.azimuth, rule.phase, tool, spindle).turns();
-    if (a.patch == b.patch)
+    // the next place of the helix; over places left out the tool goes at a safe height
+    if (a.patch == b.patch && b.number == a.number + 1)
       step(build, a, b, turns, feed, turns_per_mm, decimals);
     else
       link(build, b, turns, period, turns_per_mm, rule.safe_height, decimals);

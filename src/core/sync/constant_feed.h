@@ -6,7 +6,8 @@
 // Deviation: vertices are rounded to the program's decimals before lengths are taken, of the
 // rounded points near the apex the one is chosen whose legs fit best, and what is left is carried
 // into the next L, so the phase error does not grow with the number of dimples. The paper says
-// nothing of rounding. SPDX-License-Identifier: LGPL-2.1-or-later
+// nothing of rounding.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/sync/phase_rule.h"

@@ -1,6 +1,7 @@
 // Where on the ball a dimple is cut. A flute makes the dimple when its azimuth about the tool axis
 // is that of the contact point, which is the direction of -n seen along the axis (Xu & Sasahara
-// 2016, section 3.1, Fig. 4). SPDX-License-Identifier: LGPL-2.1-or-later
+// 2016, section 3.1, Fig. 4).
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/angle.h"

@@ -17,8 +17,9 @@ struct LinkRequest {
   double length_period = 0;  ///< F * M / (2 pi S) [mm], > 0
 };
 
-/// The two upper corners of the link, on the decimals: {above from, above to}. The first is moved
-/// sideways by up to 150 units if that makes the length fit better.
+/// The two upper corners of the link, on the decimals: {above from, above to}. The first is raised
+/// by up to one length_period, and moved sideways by up to sqrt(2 h / unit) units (0.2 mm at h = 20
+/// mm and 3 decimals) where that makes the length fit better: to 1e-5 mm where possible.
 std::array<Vec3, 2> link_corners(const LinkRequest& request, const Decimals& decimals);
 
 /// Length of from -> corners -> to [mm].

@@ -1,6 +1,7 @@
 // How well a path keeps the phase, measured from the path alone: spindle turns counted along its
 // moves against the contact azimuth that each dimple wants. Works on a planned path and on one read
-// back from posted G-code. SPDX-License-Identifier: LGPL-2.1-or-later
+// back from posted G-code.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/path/tool_path.h"

@@ -4,8 +4,8 @@
 // s = -1 for M3, +1 for M4; M = 2 pi / N if any flute may cut, 2 pi if always the same one.
 // The paper's numbers: extra = 1800 degrees; step = 1 degree on the calibration patch, else 0.
 // Deviation: the paper does not say whether lambda is taken modulo one flute or one turn; its "5 to
-// 6 turns per dimple" is the same flute. Both are offered. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// 6 turns per dimple" is the same flute. Both are offered.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/angle.h"

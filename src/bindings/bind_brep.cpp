@@ -1,0 +1,84 @@
+// Face sampling for Python. Shapes come as BREP text.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/bindings.h"
+#include "brep/edges.h"
+#include "brep/face_sampler.h"
+#include "brep/read_shape.h"
+#include "core/patch/patch_surface.h"
+
+namespace patchmill {
+namespace {
+
+std::vector<TopoDS_Face> faces_of(const std::vector<std::string>& breps) {
+  std::vector<TopoDS_Face> faces;
+  for (const std::string& brep : breps)
+    for (const TopoDS_Face& face : read_faces(brep)) faces.push_back(face);
+  return faces;
+}
+
+FaceSampler sampler_of(const std::vector<std::string>& breps, const TexturePlane& plane,
+                       double steepest) {
+  return FaceSampler(faces_of(breps), plane, Angle::radians(steepest));
+}
+
+py::object place_dimples(const FaceSampler& sampler, const PatchDivision& division,
+                         const TexturePlane& plane, const PatchSurface& surface,
+                         const py::object& progress) {
+  const Progress report = progress_of(progress);
+  std::optional<Dimples> dimples;
+  {
+    const py::gil_scoped_release release;
+    const SurfaceSampler sample = [&](const std::vector<Vec2>& places) {
+      return sampler.sample(places);
+    };
+    dimples = sample_patches(division, plane, sample, surface, report);
+  }
+  return dimples ? py::cast(std::move(*dimples)) : py::none();
+}
+
+void keep_off_borders(Dimples& dimples, const std::vector<std::string>& breps, double margin) {
+  if (margin == 0.0) return;
+  keep_off_edges(dimples, border_segments(faces_of(breps), 0.01), margin);
+}
+
+py::dict hits_dict(const FaceSampler& sampler, const Eigen::Matrix<double, -1, 2>& points) {
+  std::vector<Vec2> places;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) places.emplace_back(points.row(i));
+  std::vector<SurfaceSample> hits;
+  {
+    const py::gil_scoped_release release;
+    hits = sampler.sample(places);
+  }
+  py::dict d;
+  d["positions"] = rows_of(hits, [](const SurfaceSample& h) { return h.point.position; });
+  d["normals"] = rows_of(hits, [](const SurfaceSample& h) { return h.point.normal; });
+  d["states"] = column_of<std::uint8_t>(
+      hits, [](const SurfaceSample& h) { return static_cast<std::uint8_t>(h.state); });
+  return d;
+}
+
+}  // namespace
+
+void bind_brep(py::module_& m) {
+  py::class_<FaceSampler>(
+      m, "FaceSampler", "Projects points of a texture plane on trimmed faces along its direction.")
+      .def(py::init(&sampler_of), py::arg("breps"), py::arg("plane"), py::arg("steepest"),
+           "Faces as BREP texts; `steepest` [rad]: greatest angle of normal and -direction.")
+      .def(
+          "extent",
+          [](const FaceSampler& s) {
+            const auto [low, high] = s.extent();
+            return py::make_tuple(low, high);
+          },
+          "((x, y) least, (x, y) greatest) that the faces cover in the texture plane [mm].")
+      .def("sample", &hits_dict, py::arg("points"),
+           "Projects (n, 2) points; a dict of arrays positions, normals, states.")
+      .def("place", &place_dimples, py::arg("division"), py::arg("plane"), py::arg("surface"),
+           py::arg("progress") = py::none(),
+           "Dimples of the division on the faces, or None if `progress` returned False.");
+  m.def("keep_off_borders", &keep_off_borders, py::arg("dimples"), py::arg("breps"),
+        py::arg("margin"), py::call_guard<py::gil_scoped_release>(),
+        "Leaves out dimples nearer than `margin` [mm] to the border of the faces together.");
+}
+
+}  // namespace patchmill

@@ -1,0 +1,85 @@
+// ToolPath, tools and spindles for Python.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/bindings.h"
+#include "core/geometry/error.h"
+#include "core/path/tool_path.h"
+
+namespace patchmill {
+namespace {
+
+Spindle spindle_of(double speed, const std::string& sense) {
+  if (sense != "M3" && sense != "M4")
+    throw InputError("SpindleDirection", "'" + sense + "'", "give M3 or M4.");
+  return {speed, sense == "M3" ? SpindleSense::M3 : SpindleSense::M4};
+}
+
+py::dict statistics_dict(const ToolPath& path) {
+  const PathStatistics s = statistics(path);
+  py::dict d;
+  d["cut_length_mm"] = s.cut_length;
+  d["link_length_mm"] = s.link_length;
+  d["rapid_length_mm"] = s.rapid_length;
+  d["timed_seconds"] = s.timed_seconds;
+  d["cut_turns"] = s.cut_turns;
+  d["link_turns"] = s.link_turns;
+  d["dimples"] = s.dimples;
+  d["untimed_moves"] = s.untimed_moves;
+  return d;
+}
+
+}  // namespace
+
+void bind_path(py::module_& m) {
+  py::class_<BallEndMill>(m, "BallEndMill", "Ball radius [mm] and number of flutes.")
+      .def(py::init([](double radius, int flutes) {
+             return BallEndMill{radius, flutes};
+           }),
+           py::arg("radius"), py::arg("flutes"))
+      .def_readonly("radius", &BallEndMill::radius)
+      .def_readonly("flutes", &BallEndMill::flutes);
+  py::class_<Spindle>(m, "Spindle", "Speed [revolutions per second] and sense, 'M3' or 'M4'.")
+      .def(py::init(&spindle_of), py::arg("speed"), py::arg("sense"))
+      .def_readonly("speed", &Spindle::speed)
+      .def_property_readonly("sign", &Spindle::sign)
+      .def_property_readonly(
+          "sense", [](const Spindle& s) { return s.sense == SpindleSense::M3 ? "M3" : "M4"; });
+  py::class_<ToolPath>(m, "ToolPath", "An ordered list of timed moves of the tool tip.")
+      .def("__len__", [](const ToolPath& p) { return p.moves.size(); })
+      .def_readonly("tool", &ToolPath::tool)
+      .def_readonly("spindle", &ToolPath::spindle)
+      .def_property_readonly("start", [](const ToolPath& p) { return p.start.tip; })
+      .def_property_readonly(
+          "tips",
+          [](const ToolPath& p) {
+            return rows_of(p.moves, [](const Move& v) { return v.end.tip; });
+          },
+          "End of each move [mm], (n, 3).")
+      .def_property_readonly(
+          "axes",
+          [](const ToolPath& p) {
+            return rows_of(p.moves, [](const Move& v) { return v.end.axis; });
+          },
+          "Unit tool axis at the end of each move, (n, 3).")
+      .def_property_readonly(
+          "turns",
+          [](const ToolPath& p) {
+            return column_of<double>(p.moves, [](const Move& v) { return v.turns; });
+          },
+          "Planned spindle turns of each move; NaN where unknown.")
+      .def_property_readonly(
+          "dimples",
+          [](const ToolPath& p) {
+            return column_of<std::int32_t>(p.moves, [](const Move& v) { return v.dimple; });
+          },
+          "Number of the dimple on which each move ends, or -1.")
+      .def_property_readonly(
+          "kinds",
+          [](const ToolPath& p) {
+            return column_of<std::uint8_t>(
+                p.moves, [](const Move& v) { return static_cast<std::uint8_t>(v.kind); });
+          },
+          "0 rapid, 1 link, 2 cut.")
+      .def("statistics", &statistics_dict, "Lengths [mm], seconds, turns and counts.");
+}
+
+}  // namespace patchmill

@@ -1,0 +1,55 @@
+// What the binding files share. Bindings convert and check arguments, release the GIL in long
+// calls, and hold no algorithm.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/geometry/progress.h"
+#include "core/geometry/vec.h"
+#include "core/patch/dimple.h"
+
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+namespace patchmill {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& m);
+void bind_path(py::module_& m);
+void bind_patch(py::module_& m);
+void bind_brep(py::module_& m);
+void bind_sync(py::module_& m);
+void bind_machine(py::module_& m);
+
+/// An (n, 3) array of `get(item)` for each item.
+template <class Items, class Get>
+py::array_t<double> rows_of(const Items& items, Get get) {
+  py::array_t<double> array({static_cast<py::ssize_t>(items.size()), py::ssize_t{3}});
+  auto out = array.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < out.shape(0); ++i) {
+    const Vec3 v = get(items[static_cast<std::size_t>(i)]);
+    for (py::ssize_t k = 0; k < 3; ++k) out(i, k) = v[k];
+  }
+  return array;
+}
+
+/// An (n,) array of `get(item)` for each item.
+template <class T, class Items, class Get>
+py::array_t<T> column_of(const Items& items, Get get) {
+  py::array_t<T> array(static_cast<py::ssize_t>(items.size()));
+  auto out = array.template mutable_unchecked<1>();
+  for (py::ssize_t i = 0; i < out.shape(0); ++i) out(i) = get(items[static_cast<std::size_t>(i)]);
+  return array;
+}
+
+/// A Python callable (share -> bool) or None as Progress; takes the GIL for each call. A Python
+/// exception in it is raised when the long call returns.
+Progress progress_of(const py::object& callable);
+
+}  // namespace patchmill
+
+// Dimples stays one opaque object: arrays cross as numpy, never as Python lists.
+PYBIND11_MAKE_OPAQUE(patchmill::Dimples)

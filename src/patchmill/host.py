@@ -1,0 +1,116 @@
+"""The only file that knows one FreeCAD version from another.
+
+0.20 keeps its CAM module in Mod/Path as PathScripts.*; from 0.21 on it is Path.*. Everything else in
+PatchMill takes what differs from here.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import os
+import tempfile
+
+import FreeCAD
+import Path
+
+VERSION = tuple(int(v) for v in FreeCAD.Version()[:2])
+
+import PathScripts.PathUtils as PathUtils  # noqa: E402  the same name in all versions
+
+if VERSION >= (0, 21):
+    import Path.Main.Job as PathJob
+    import Path.Op.Base as PathOp
+    from Path.Base.SetupSheet import RegisterOperation as register_operation
+else:
+    import PathScripts.PathJob as PathJob
+    import PathScripts.PathOp as PathOp
+    from PathScripts.PathSetupSheet import RegisterOperation as register_operation
+
+__all__ = ["VERSION", "Path", "PathOp", "PathUtils", "register_operation"]
+
+
+def create_job(name, models):
+    """A Job over `models` (document objects) as the GUI would make it, with one tool controller."""
+    return PathJob.Create(name, models)
+
+
+def tool_controllers(job):
+    """The tool controllers of a job, a list of document objects."""
+    return list(job.Tools.Group)
+
+
+def make_ball_end_mill(diameter_mm, flutes, label="Ball end mill"):
+    """A ball end mill tool bit in the active document, to be assigned to a tool controller's Tool."""
+    shank = max(3.0, diameter_mm)
+    parameters = {
+        "CuttingEdgeHeight": "%g mm" % (10.0 * diameter_mm),
+        "Diameter": "%g mm" % diameter_mm,
+        "Length": "%g mm" % (20.0 * diameter_mm + 10.0),
+        "ShankDiameter": "%g mm" % shank,
+    }
+    attributes = {
+        "version": 2,
+        "name": label,
+        "shape": "ballend.fcstd",
+        "parameter": parameters,
+        "attribute": {"Flutes": str(flutes)},
+    }
+    if VERSION >= (1, 1):
+        from Path.Tool.toolbit import ToolBit
+
+        bit = ToolBit.from_dict(attributes).attach_to_doc(doc=FreeCAD.ActiveDocument)
+    else:
+        if VERSION >= (0, 21):
+            import Path.Tool.Bit as PathToolBit
+        else:
+            import PathScripts.PathToolBit as PathToolBit
+        bit = PathToolBit.Factory.CreateFromAttrs(attributes, "ToolBit")
+    bit.Flutes = flutes
+    return bit
+
+
+def tool_kind(bit):
+    """Kind of cutter in lower case ('ballend', 'endmill', ...), '' if FreeCAD does not say."""
+    kind = getattr(bit, "ShapeName", "") or getattr(bit, "ShapeType", "")
+    if not kind:
+        kind = os.path.splitext(os.path.basename(getattr(bit, "BitShape", "")))[0]
+    return kind.lower()
+
+
+def add_ball_end_controller(job, diameter_mm, flutes, feed_mm_min, speed_rpm, direction="Forward"):
+    """Makes the job's first tool controller one with a ball end mill; returns it."""
+    controller = tool_controllers(job)[0]
+    controller.Tool = make_ball_end_mill(diameter_mm, flutes)
+    controller.Label = "Ball end mill %g mm" % diameter_mm
+    controller.HorizFeed = feed_mm_min / 60.0
+    controller.VertFeed = feed_mm_min / 60.0
+    controller.HorizRapid = 100.0
+    controller.VertRapid = 100.0
+    controller.SpindleSpeed = speed_rpm
+    controller.SpindleDir = direction
+    return controller
+
+
+def _post_0_20(job, post_name, arguments):
+    import PathScripts.PathPost as PathPost
+    from PathScripts.PathPostProcessor import PostProcessor
+
+    parts = []
+    with tempfile.TemporaryDirectory() as folder:
+        for objects in PathPost.CommandPathPost().buildPostList(job):
+            # several posts return nothing: what counts is the file
+            name = os.path.join(folder, "part%d.ngc" % len(parts))
+            PostProcessor.load(post_name).export(objects, name, arguments)
+            with open(name, encoding="utf-8") as file:
+                parts.append(file.read())
+    return parts
+
+
+def post_parts(job, post_name, arguments):
+    """What FreeCAD's post-processor `post_name` makes of the job: a list of texts, one per file."""
+    if VERSION < (0, 21):
+        return _post_0_20(job, post_name, arguments)
+    from Path.Post.Processor import PostProcessorFactory
+
+    job.PostProcessorArgs = arguments
+    post = PostProcessorFactory.get_post_processor(job, post_name)
+    return [text for _, text in post.export()]

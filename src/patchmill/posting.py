@@ -1,0 +1,139 @@
+"""Posting through FreeCAD's post-processors, with the text read back and checked before it is kept.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import math
+import os
+import shlex
+from dataclasses import dataclass
+
+import _patchmill as core
+from _patchmill import InputError
+
+from patchmill import host
+from patchmill.texture_operation import ObjectTexture, planned
+
+
+@dataclass
+class PostedTexture:
+    """One texture of a posted program, as read back from its text."""
+
+    operation: object  # document object
+    path: core.ToolPath
+    match: core.PlanMatch
+    errors: dict  # of _patchmill.phase_errors
+
+
+def post(job, filename, post_name=None, arguments=None):
+    """Posts `job` to `filename` and returns a list of PostedTexture, one per texture operation.
+
+    `post_name` and `arguments` default to the job's own. The text is read back, compared with the plan
+    and its phase measured; only then does the file appear, whole. Raises InputError, leaving no file and
+    an existing one untouched, if an operation is invalid or the text does not hold the plan."""
+    post_name = post_name or job.PostProcessor
+    arguments = job.PostProcessorArgs if arguments is None else arguments
+    if not post_name:
+        raise InputError("PostProcessor", "''", "choose a post-processor for the job.")
+    operations = _active_operations(job)
+    textures = [op for op in operations if isinstance(op.Proxy, ObjectTexture)]
+    plans = [planned(op) for op in textures]
+    for op, plan in zip(textures, plans):
+        _check_arguments(plan, shlex.split(arguments))
+    text = _single_text(job, post_name, arguments)
+    posted = _read_back(text, textures, plans)
+    _write(filename, text)
+    return posted
+
+
+def _active_operations(job):
+    operations = [op for op in job.Operations.Group if getattr(op, "Active", True)]
+    for op in operations:
+        if "Invalid" in op.State:
+            error = getattr(op.Proxy, "error", None)
+            raise error or InputError(op.Label, "invalid", "repair the operation before posting.")
+    if not operations:
+        raise InputError("Operations", "none", "the job has no active operation.")
+    return operations
+
+
+def _check_arguments(plan, arguments):
+    if "--inches" in arguments:
+        raise InputError("PostProcessorArgs", "--inches", "textures are posted in millimetres.")
+    precision = 3
+    for i, argument in enumerate(arguments):
+        if argument.startswith("--precision="):
+            precision = int(argument.split("=", 1)[1])
+        elif argument == "--precision" and i + 1 < len(arguments):
+            precision = int(arguments[i + 1])
+    if precision != plan.input.decimals:
+        raise InputError(
+            "Decimals",
+            plan.input.decimals,
+            "the post writes %d decimals: give --precision=%d or change Decimals."
+            % (precision, plan.input.decimals),
+        )
+
+
+def _single_text(job, post_name, arguments):
+    parts = host.post_parts(job, post_name, arguments)
+    if len(parts) != 1:
+        raise InputError(
+            "OrderOutputBy", job.OrderOutputBy, "the job makes %d files; one is posted here." % len(parts)
+        )
+    if not parts[0].strip():
+        raise InputError("PostProcessor", post_name, "the post-processor wrote nothing.")
+    return parts[0]
+
+
+def _read_back(text, operations, plans):
+    posted = []
+    for op, plan in zip(operations, plans):
+        candidates = []
+        for section in core.read_gcode(text, plan.input.tool):
+            match = core.match_plan(section.path, plan.path, 0.5 * 10.0**-plan.input.decimals)
+            candidates.append((match.complete, match.found, section, match))
+        best = max(candidates, key=lambda c: c[:2], default=None)
+        if best is None or not best[0]:
+            raise InputError(
+                op.Label,
+                "%d of %d dimples read back" % (best[1] if best else 0, plan.counts["cut"]),
+                "the post-processor changed the path: use another one.",
+            )
+        section, match = best[2], best[3]
+        _check_spindle(op, plan, section.path)
+        errors = plan.phase_errors(section.path)
+        largest = math.degrees(errors["largest"])
+        if not largest <= op.PhaseTolerance.Value or errors["runs"] != 1:
+            raise InputError(
+                "PhaseTolerance",
+                "%.4g degrees" % op.PhaseTolerance.Value,
+                "the posted text has a phase error of %.4g degrees in %d runs: post more decimals."
+                % (largest, errors["runs"]),
+            )
+        posted.append(PostedTexture(op, section.path, match, errors))
+    return posted
+
+
+def _check_spindle(op, plan, path):
+    want, have = plan.input.spindle, path.spindle
+    if have.sense != want.sense or abs(have.speed - want.speed) > 1e-9:
+        raise InputError(
+            "SpindleSpeed",
+            "%g rpm %s" % (60.0 * want.speed, want.sense),
+            "the posted text turns the spindle at %g rpm %s." % (60.0 * have.speed, have.sense),
+        )
+
+
+def _write(filename, text):
+    """Writes beside, then renames: there is never half a file."""
+    part = "%s.part" % filename
+    try:
+        with open(part, "w", encoding="ascii", newline="\n") as file:
+            file.write(text)
+        os.replace(part, filename)
+    except UnicodeEncodeError as error:
+        os.unlink(part)
+        raise InputError(
+            "Label", repr(error.object[error.start : error.end]), "use ASCII letters in labels."
+        ) from error

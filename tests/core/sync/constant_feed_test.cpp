@@ -1,0 +1,214 @@
+// The constant-feed strategy on the paper's surface with the paper's numbers (Xu & Sasahara 2016,
+// Tables 1 and 2): travel, angle of the legs, turns, phase with and without the carry, M3 against
+// M4.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/sync/constant_feed.h"
+
+#include "bezier_dimples.h"
+#include "core/geometry/error.h"
+#include "core/sync/contact_azimuth.h"
+#include "core/sync/fit_length.h"
+#include "core/sync/link.h"
+#include "core/sync/phase_error.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace patchmill {
+namespace {
+
+const BallEndMill kTool{1.0, 2};
+const Spindle kM3{1000.0 / 60.0, SpindleSense::M3}, kM4{1000.0 / 60.0, SpindleSense::M4};
+
+ConstantFeed paper_rule(Angle step = {}) {
+  return {434.413 / 60.0, {FluteChoice::Same, 5.0, step}, 40.0, 42.0};
+}
+
+const Dimples& whole_surface() {
+  static const Dimples dimples = [] {
+    Dimples d = table1_dimples(14, 8, 8);
+    mark_tool_tip(d, Vec3::UnitZ(), Angle::degrees(1));
+    return d;
+  }();
+  return dimples;
+}
+
+std::vector<PhaseError> errors_of(const ToolPath& path, const Dimples& dimples,
+                                  const ConstantFeed& rule) {
+  return phase_errors(path, wanted_phases(dimples, rule.phase, path.spindle),
+                      phase_period(path.tool.flutes, rule.phase.flutes));
+}
+
+// Every pair of legs between consecutive dimples: start, apex, end.
+template <class Visit>
+void each_step(const ToolPath& path, Visit visit) {
+  for (std::size_t i = 1; i + 1 < path.moves.size(); ++i) {
+    const Move &from = path.moves[i - 1], &leg = path.moves[i], &end = path.moves[i + 1];
+    if (from.dimple >= 0 && leg.dimple < 0 && leg.kind == MoveKind::Cut &&
+        end.dimple == from.dimple + 1)
+      visit(from.end.tip, leg.end.tip, end.end.tip, leg.turns + end.turns);
+  }
+}
+
+TEST(ConstantFeed, PaperTravelsLegsAndTurns) {
+  for (const Angle step : {Angle(), Angle::degrees(1)}) {
+    const ToolPath path =
+        constant_feed_path(whole_surface(), kTool, kM3, paper_rule(step), Decimals(3));
+    int steps = 0;
+    each_step(path, [&](const Vec3& a, const Vec3& b, const Vec3& c, double turns) {
+      ++steps;
+      EXPECT_GE(way_over(a, b, c), 2.17);
+      const double angle = tilt((a - b).normalized(), (c - b).normalized()).degrees();
+      EXPECT_LT(angle, 31.0);
+      const double least = 5.0 + step.turns(), most = 6.0 + step.turns();
+      EXPECT_GT(turns, least - 0.002);  // the carry may take a thousandth of a turn back
+      EXPECT_LT(turns, most + 0.002);
+    });
+    EXPECT_GT(steps, 10000);
+  }
+}
+
+TEST(ConstantFeed, PhaseHoldsOverTenThousandDimples) {
+  const struct {
+    int decimals;
+    double bound;
+  } cases[] = {{3, 1.0}, {4, 0.15}};
+  for (const auto& c : cases) {
+    const ToolPath path =
+        constant_feed_path(whole_surface(), kTool, kM3, paper_rule(), Decimals(c.decimals));
+    const auto errors = errors_of(path, whole_surface(), paper_rule());
+    ASSERT_GT(errors.size(), 10000u);
+    const PhaseErrorSummary s = summary(errors);
+    EXPECT_LT(s.largest.degrees(), c.bound) << c.decimals;
+    EXPECT_EQ(s.runs, 1);
+    // no growth: the drift over all dimples is far below the bound
+    EXPECT_LT(std::abs(Angle::radians(s.drift_per_dimple).degrees()) * double(errors.size()),
+              0.05 * c.bound);
+  }
+}
+
+// What the carry is for: round the exact path afterwards, as a post does, and the error wanders
+// off.
+TEST(ConstantFeed, WithoutTheCarryTheErrorGrows) {
+  const ToolPath exact = constant_feed_path(whole_surface(), kTool, kM3, paper_rule(), Decimals(9));
+  ToolPath rounded = exact;
+  const Decimals three(3);
+  Vec3 at = three.round(rounded.start.tip);
+  for (Move& move : rounded.moves) {
+    move.end.tip = three.round(move.end.tip);
+    if (!std::isnan(move.turns)) move.turns = (move.end.tip - at).norm() * 1000.0 / 434.413;
+    at = move.end.tip;
+  }
+  auto unwrapped = [&](const ToolPath& path, std::size_t from, std::size_t to) {
+    double largest = 0.0;
+    const auto e = errors_of(path, whole_surface(), paper_rule()),
+               x = errors_of(exact, whole_surface(), paper_rule());
+    for (std::size_t k = from; k < std::min(to, e.size()); ++k)
+      largest = std::max(largest, std::abs(e[k].turns - x[k].turns) * 360.0);
+    return largest;
+  };
+  const double early = unwrapped(rounded, 0, 100), late = unwrapped(rounded, 5000, 12000);
+  EXPECT_GT(late, 20.0) << "degrees";
+  EXPECT_GT(late, 4.0 * early);
+  EXPECT_LT(summary(errors_of(exact, whole_surface(), paper_rule())).largest.degrees(), 0.01);
+}
+
+TEST(ConstantFeed, M3AndM4AreMirrored) {
+  // the surface mirrored in the XZ plane, milled with M4, is the mirror image of the other
+  Dimples dimples = table1_dimples(6, 1, 1), mirrored = dimples;
+  for (Dimple& d : mirrored) {
+    d.surface.position.y() *= -1.0;
+    d.surface.normal.y() *= -1.0;
+  }
+  const ToolPath a = constant_feed_path(dimples, kTool, kM3, paper_rule(), Decimals(6));
+  const ToolPath b = constant_feed_path(mirrored, kTool, kM4, paper_rule(), Decimals(6));
+  const ToolPath wrong = constant_feed_path(mirrored, kTool, kM3, paper_rule(), Decimals(6));
+  ASSERT_EQ(a.moves.size(), b.moves.size());
+  double total_a = 0, total_b = 0, total_wrong = 0;
+  for (std::size_t i = 2; i < a.moves.size() - 1; ++i) {
+    total_a += a.moves[i].turns;
+    total_b += b.moves[i].turns;
+    total_wrong += wrong.moves[i].turns;
+    if (a.moves[i].dimple < 0) continue;
+    EXPECT_NEAR(total_a, total_b, 1e-4);
+  }
+  EXPECT_GT(std::abs(total_a - total_wrong), 0.1) << "the sense of the spindle must matter";
+  EXPECT_LT(summary(errors_of(b, mirrored, paper_rule())).largest.degrees(), 0.01);
+  ToolPath confused = b;
+  confused.spindle = kM3;
+  EXPECT_GT(summary(errors_of(confused, mirrored, paper_rule())).rms.degrees(), 10.0);
+}
+
+TEST(ConstantFeed, PositionsLieOnTheDecimals) {
+  const ToolPath path =
+      constant_feed_path(table1_dimples(4, 2, 2), kTool, kM3, paper_rule(), Decimals(3));
+  for (const Move& move : path.moves)
+    EXPECT_NEAR((move.end.tip * 1000.0 - (move.end.tip * 1000.0).array().round().matrix()).norm(),
+                0.0, 1e-8);
+}
+
+TEST(ConstantFeed, LinksAreAtSafeHeight) {
+  const ToolPath path =
+      constant_feed_path(table1_dimples(4, 3, 3), kTool, kM3, paper_rule(), Decimals(3));
+  int traverses = 0;
+  for (std::size_t i = 1; i < path.moves.size(); ++i) {
+    const Vec3 &a = path.moves[i - 1].end.tip, &b = path.moves[i].end.tip;
+    if (path.moves[i].kind != MoveKind::Link) continue;
+    if ((a - b).head<2>().norm() < 0.5) continue;  // lifts lean by a fraction of a millimetre
+    ++traverses;
+    EXPECT_GE(a.z(), 40.0);
+    EXPECT_GE(b.z(), 40.0);
+  }
+  EXPECT_EQ(traverses, 8);
+}
+
+RC_GTEST_PROP(LinkCorners, KeepThePhaseToAHundredthOfAUnit, ()) {
+  auto mm = [](int lo, int hi) { return *rc::gen::inRange(lo * 1000, hi * 1000) / 1000.0; };
+  LinkRequest r;
+  r.from = {mm(-50, 50), mm(-50, 50), mm(0, 30)};
+  r.to = {mm(-50, 50), mm(-50, 50), mm(0, 30)};
+  r.safe_height = mm(32, 60);
+  r.length_period = mm(1, 5) / 10.0;
+  r.length_zero = mm(-3, 3);
+  const auto corners = link_corners(r, Decimals(3));
+  RC_ASSERT(std::abs(length_miss(r, link_length(r, corners))) < 5e-5);
+  for (const Vec3& c : corners) RC_ASSERT(c.z() >= r.safe_height - 1e-9);
+}
+
+TEST(ConstantFeed, ErrorsNameThePropertyAndTheRemedy) {
+  const Dimples dimples = table1_dimples(4, 1, 1);
+  auto property = [&](const BallEndMill& tool, const Spindle& spindle, ConstantFeed rule,
+                      const Dimples& d) -> std::string {
+    try {
+      constant_feed_path(d, tool, spindle, rule, Decimals(3));
+    } catch (const InputError& e) {
+      EXPECT_FALSE(e.remedy().empty());
+      return e.property();
+    }
+    return "";
+  };
+  EXPECT_EQ(property(kTool, kM3, paper_rule(), dimples), "");
+  ConstantFeed rule = paper_rule();
+  rule.feed = 1.0;
+  EXPECT_EQ(property(kTool, kM3, rule, dimples), "Feed");
+  rule.feed = std::nan("");
+  EXPECT_EQ(property(kTool, kM3, rule, dimples), "Feed");
+  EXPECT_EQ(property(kTool, {0.0, SpindleSense::M3}, paper_rule(), dimples), "SpindleSpeed");
+  EXPECT_EQ(property({1.0, 0}, kM3, paper_rule(), dimples), "Flutes");
+  EXPECT_EQ(property({0.0, 2}, kM3, paper_rule(), dimples), "ToolDiameter");
+  rule = paper_rule();
+  rule.safe_height = 10.0;
+  EXPECT_EQ(property(kTool, kM3, rule, dimples), "SafeHeight");
+  rule = paper_rule();
+  rule.clearance_height = 30.0;
+  EXPECT_EQ(property(kTool, kM3, rule, dimples), "ClearanceHeight");
+  rule = paper_rule();
+  rule.phase.extra_turns = 4.75;
+  EXPECT_EQ(property(kTool, kM3, rule, dimples), "ExtraTurns");
+  Dimples none = dimples;
+  for (Dimple& d : none) d.state = DimpleState::OffFace;
+  EXPECT_EQ(property(kTool, kM3, paper_rule(), none), "Dimples");
+}
+
+}  // namespace
+}  // namespace patchmill

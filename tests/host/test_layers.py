@@ -1,0 +1,98 @@
+"""The layers of CONTRIBUTING.md: an include or import may point only downwards.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+CPP_LAYERS = ["core", "brep", "scene", "bindings"]
+# What a layer may include besides its own files: other layers, and prefixes of foreign headers.
+CPP_MAY_USE = {"core": {"core"}, "brep": {"core", "brep"}, "scene": {"core", "scene"}}
+CPP_MAY_USE["bindings"] = set(CPP_LAYERS)
+OPENCASCADE = re.compile(r".*\.hxx$|^(gp_|Standard|BRep|Geom|TopoDS)")
+PYTHON = re.compile(r"^(Python\.h|pybind11/)")
+HOST = re.compile(r"^(App|Base|Gui|Mod)/|FreeCAD")
+COIN = re.compile(r"^Inventor/")
+FOREIGN = {
+    "core": [OPENCASCADE, PYTHON, HOST, COIN],
+    "brep": [PYTHON, HOST, COIN],
+    "scene": [OPENCASCADE, PYTHON, HOST],
+    "bindings": [HOST],
+}
+PYTHON_FORBIDDEN = re.compile(
+    r"^\s*(?:from|import)\s+(FreeCADGui|PySide\w*|PyQt\w*|pivy|patchmill_gui|Gui|Path\w*Gui\w*)\b"
+)
+VERSION_KNOWLEDGE = re.compile(r"PathScripts|FreeCAD\.Version|import Path\b|Path\.(Main|Op|Tool|Post)\.")
+
+
+def cpp_violations(root):
+    """Lines of src/ whose includes point the wrong way: a list of texts."""
+    found = []
+    for layer in CPP_LAYERS:
+        for file in sorted((root / "src" / layer).rglob("*")):
+            if file.suffix not in (".h", ".cpp"):
+                continue
+            for number, line in enumerate(file.read_text().splitlines(), 1):
+                include = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
+                if not include:
+                    continue
+                name = include.group(2)
+                first = name.split("/")[0]
+                wrong = any(f.match(name) for f in FOREIGN[layer])
+                wrong = wrong or (first in CPP_LAYERS and first not in CPP_MAY_USE[layer])
+                if wrong:
+                    found.append("%s:%d: %s" % (file.relative_to(root), number, line.strip()))
+    return found
+
+
+def python_violations(root):
+    """Lines of src/patchmill that import a GUI, and that know FreeCAD's versions outside host.py."""
+    found = []
+    for file in sorted((root / "src" / "patchmill").rglob("*.py")):
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            knows = VERSION_KNOWLEDGE.search(line) and file.name != "host.py"
+            if PYTHON_FORBIDDEN.match(line) or knows:
+                found.append("%s:%d: %s" % (file.relative_to(root), number, line.strip()))
+    return found
+
+
+class Layers(unittest.TestCase):
+    def test_includes_point_downwards(self):
+        self.assertEqual(cpp_violations(ROOT), [])
+
+    def test_package_has_no_gui_and_one_file_of_versions(self):
+        self.assertEqual(python_violations(ROOT), [])
+
+    def test_the_checks_find_what_they_look_for(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for layer, text in {
+                "core": '#include <gp_Pnt.hxx>\n#include <Python.h>\n#include "brep/x.h"\n'
+                "#include <pybind11/pybind11.h>\n#include <App/Document.h>\n",
+                "brep": '#include "bindings/x.h"\n#include <TopoDS_Face.hxx>\n',
+            }.items():
+                (root / "src" / layer).mkdir(parents=True)
+                (root / "src" / layer / "bad.h").write_text(text)
+            (root / "src" / "patchmill").mkdir()
+            (root / "src" / "patchmill" / "bad.py").write_text(
+                "import FreeCADGui\nfrom PySide import QtCore\nimport patchmill_gui\n"
+                "import PathScripts.PathUtils\nimport numpy\nimport _patchmill\n"
+            )
+            self.assertEqual(len(cpp_violations(root)), 6)
+            self.assertEqual(len(python_violations(root)), 4)
+
+    def test_top_level_names(self):
+        stage = (ROOT / "cmake" / "StageModule.cmake").read_text()
+        staged = set(re.findall(r"CREATE_LINK \S+ \$\{STAGE\}/(\w+)", stage))
+        self.assertLessEqual(staged, {"patchmill", "patchmill_gui", "Resources"})
+
+
+if __name__ == "__main__":
+    result = unittest.main(exit=False).result
+    sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
