@@ -42,7 +42,7 @@ const BallEndMill kTool{kRadius, 2};
 
 ToolPath plan(const Job& job, Spindle spindle) {
   if (job.strategy == "constant") {
-    ConstantFeed rule;
+    ConstantFeed rule;  // the paper's own: section 3.2, Table 2
     rule.feed = kFeed;
     rule.phase.extra_turns = number(job.options, "extra", 5.0);
     rule.phase.flutes =
@@ -68,11 +68,12 @@ void write(const Job& job, const ToolPath& path) {
   std::ofstream(job.out + ".ngc") << text.text;
   const Prediction prediction = predict(path, job.model, number(job.options, "ratio", 1.0));
   std::ofstream table(job.out + ".csv");
-  table << "line,x,y,z,azimuth_deg,patch,predicted_s,predicted_turns,px,py,pz,nx,ny,nz\n";
-  double first = 0.0, last = 0.0;
+  table << "line,x,y,z,azimuth_deg,patch,planned_turns,predicted_s,predicted_turns,px,py,pz,nx,ny,nz\n";
+  double first = 0.0, last = 0.0, planned = 0.0;
   std::int64_t count = 0;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
+    if (move.kind != MoveKind::Rapid) planned += move.turns;
     if (move.dimple == kNoDimple) continue;
     const Dimple& dimple = job.dimples[static_cast<std::size_t>(move.dimple)];
     const Vec3 &p = dimple.surface.position, &n = dimple.surface.normal;
@@ -80,10 +81,10 @@ void write(const Job& job, const ToolPath& path) {
     if (count++ == 0) first = when.turns;
     last = when.turns;
     table << fmt::format(
-        "{},{:.4f},{:.4f},{:.4f},{:.6f},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
+        "{},{:.4f},{:.4f},{:.4f},{:.6f},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
         "{:.8f},{:.8f},{:.8f}\n",
         text.lines[i], move.end.tip.x(), move.end.tip.y(), move.end.tip.z(),
-        contact_azimuth(n).degrees(), dimple.patch, when.time, when.turns, p.x(), p.y(), p.z(),
+        contact_azimuth(n).degrees(), dimple.patch, planned, when.time, when.turns, p.x(), p.y(), p.z(),
         n.x(), n.y(), n.z());
   }
   std::cout << fmt::format("dimples={} moves={} predicted_turns_per_dimple={:.4f}\n", count,

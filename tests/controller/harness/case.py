@@ -40,6 +40,13 @@ class Result:
     normals: numpy.ndarray
     predicted: numpy.ndarray  # when the motion model says that the tool passes each dimple, s
     predicted_error: numpy.ndarray  # degrees, constant offset removed
+    planned_turns: numpy.ndarray  # spindle turns that the plan gives each dimple
+
+    def drift(self):
+        """Spindle turns that the machine took above the plan, degrees per dimple."""
+        turns = numpy.interp(self.report.time, self.log.time, self.log.turns)
+        late = 360 * (turns - self.planned_turns)
+        return float(late[-1] - late[0]) / (len(late) - 1)
 
     def time_difference(self):
         """Logged less predicted passing times, s; the start of the clocks is the mean's affair."""
@@ -79,7 +86,9 @@ def run(case, program=None):
         with open(table, newline='', encoding='ascii') as file:
             rows = list(csv.DictReader(file))
     predicted = numpy.array([[float(row[name]) for row in rows]
-                             for name in ('predicted_s', 'predicted_turns')])
+                             for name in ('predicted_s', 'predicted_turns',
+                                          'planned_turns')])
     error, _ = phase.without_offset(360 * predicted[1] - SENSE * targets.azimuth, 360 / FLUTES)
     report = phase.measure(log, targets, FLUTES, SENSE)
-    return Result(log, targets, report, points, normals, predicted[0], error)
+    return Result(log, targets, report, points, normals, predicted[0], error,
+                  predicted[2])
