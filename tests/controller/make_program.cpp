@@ -2,7 +2,8 @@
 // which phase it wants and when the motion model says that the tool will be there.
 //     make_program STRATEGY ACCELERATION VELOCITY PATCHES OUT [key=value ...]
 // STRATEGY: constant | feed | inverse | locked. Writes OUT.ngc and OUT.csv; prints one line of
-// key=value. SPDX-License-Identifier: LGPL-2.1-or-later
+// key=value.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bezier.h"
 #include "core/geometry/error.h"
 #include "core/machine/predict_motion.h"
@@ -68,7 +69,8 @@ void write(const Job& job, const ToolPath& path) {
   std::ofstream(job.out + ".ngc") << text.text;
   const Prediction prediction = predict(path, job.model, number(job.options, "ratio", 1.0));
   std::ofstream table(job.out + ".csv");
-  table << "line,x,y,z,azimuth_deg,patch,planned_turns,predicted_s,predicted_turns,px,py,pz,nx,ny,nz\n";
+  table << "line,x,y,z,azimuth_deg,patch,planned_turns,predicted_s,predicted_turns,px,py,pz,nx,ny,"
+           "nz\n";
   double first = 0.0, last = 0.0, planned = 0.0;
   std::int64_t count = 0;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
@@ -84,8 +86,8 @@ void write(const Job& job, const ToolPath& path) {
         "{},{:.4f},{:.4f},{:.4f},{:.6f},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
         "{:.8f},{:.8f},{:.8f}\n",
         text.lines[i], move.end.tip.x(), move.end.tip.y(), move.end.tip.z(),
-        contact_azimuth(n).degrees(), dimple.patch, planned, when.time, when.turns, p.x(), p.y(), p.z(),
-        n.x(), n.y(), n.z());
+        contact_azimuth(n).degrees(), dimple.patch, planned, when.time, when.turns, p.x(), p.y(),
+        p.z(), n.x(), n.y(), n.z());
   }
   std::cout << fmt::format("dimples={} moves={} predicted_turns_per_dimple={:.4f}\n", count,
                            path.moves.size(), (last - first) / static_cast<double>(count - 1));

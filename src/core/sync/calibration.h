@@ -2,8 +2,8 @@
 // section 3.3). Nobody knows it, so one patch is milled in which every dimple is asked for a step,
 // 1 degree, later than the one before. Over 360/N dimples all phases occur, and at one of them the
 // unknown phase x and the steps cancel: that dimple is cut at its place and full depth. Its number
-// gives x, which is stored with the machine and taken off all later paths. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// gives x, which is stored with the machine and taken off all later paths.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/path/tool_path.h"

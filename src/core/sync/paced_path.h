@@ -5,8 +5,8 @@
 // T_k = Lambda_k / (2 pi S). In a row Lambda is nearest to one tooth, the fewest turns that there
 // can be; anywhere else the tool leaves the surface and comes back whole teeth later
 // (turnaround.h), so that no second tooth marks. Deviation: Xu & Sasahara 2016 keep a constant feed
-// and lengthen the way (section 3.2) to 5 to 6 turns per dimple. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// and lengthen the way (section 3.2) to 5 to 6 turns per dimple.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/machine/motion_model.h"

@@ -4,7 +4,8 @@
 // behind the next row and stops; runs in, comes down a ramp, and is on the next dimple a whole
 // number of teeth later (Xu & Sasahara 2016, Eq. 3). Nothing is cut on the way, and there is a
 // stretch long enough to be at speed again before the next dimple. Deviation: the paper turns its
-// corners on the surface. SPDX-License-Identifier: LGPL-2.1-or-later
+// corners on the surface.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/machine/motion_model.h"

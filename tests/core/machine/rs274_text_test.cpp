@@ -43,7 +43,8 @@ ToolPath path_of(unsigned count, unsigned seed, Pace pace, double tolerance) {
   return path;
 }
 
-RC_GTEST_PROP(Rs274Text, ReadsBackWithItsPlacesAndTurns, (unsigned seed, bool locked, bool inverse)) {
+RC_GTEST_PROP(Rs274Text, ReadsBackWithItsPlacesAndTurns,
+              (unsigned seed, bool locked, bool inverse)) {
   const ToolPath path = path_of(300, seed, locked ? Pace::SpindleLocked : Pace::Feed, 0.0);
   const Rs274Text program =
       rs274_text(path, machine(), kDecimals, inverse ? FeedWord::InverseTime : FeedWord::PerMinute);
@@ -72,8 +73,7 @@ TEST(Rs274Text, KWordsMakeUpForRoundings) {
     from = path.moves[i].end.tip;
   }
   const std::vector<double> turns = locked_turns(path, corners(path, machine()), pitches);
-  for (std::size_t i = 0; i < turns.size(); ++i)
-    EXPECT_NEAR(turns[i], path.moves[i].turns, 1e-6);
+  for (std::size_t i = 0; i < turns.size(); ++i) EXPECT_NEAR(turns[i], path.moves[i].turns, 1e-6);
 }
 
 TEST(Rs274Text, SaysHowCornersAreTaken) {

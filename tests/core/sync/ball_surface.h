@@ -1,6 +1,7 @@
 // Dimples on a sphere, for the tests of paths: everything about it has a closed form. A bump
 // (convex) or a bowl (concave) of radius rho whose centre is chosen so that the patch's first point
-// is tilted. SPDX-License-Identifier: LGPL-2.1-or-later
+// is tilted.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/patch/division.h"

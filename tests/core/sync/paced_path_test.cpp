@@ -1,5 +1,6 @@
 // Paced paths: every dimple once, whole teeth, clear of the surface in between, and told when a
-// machine cannot. SPDX-License-Identifier: LGPL-2.1-or-later
+// machine cannot.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/paced_path.h"
 
 #include "ball_surface.h"
