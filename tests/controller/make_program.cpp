@@ -10,6 +10,7 @@
 #include "core/machine/rs274_text.h"
 #include "core/sync/constant_feed.h"
 #include "core/sync/contact_azimuth.h"
+#include "core/sync/fit_stops.h"
 #include "core/sync/paced_path.h"
 
 #include <fstream>
@@ -51,7 +52,10 @@ ToolPath plan(const Job& job, Spindle spindle) {
     rule.phase.step = Angle::degrees(number(job.options, "step", 0.0));
     rule.safe_height = 30.0;
     rule.clearance_height = 32.0;
-    return constant_feed_path(job.dimples, kTool, spindle, rule, kDecimals);
+    const ToolPath path = constant_feed_path(job.dimples, kTool, spindle, rule, kDecimals);
+    if (number(job.options, "fit", 0.0) <= 0.0) return path;
+    const double period = phase_period(kTool.flutes, rule.phase.flutes).turns();
+    return fit_to_stops(path, job.model, posted_feed(kFeed, kDecimals), period, kDecimals).path;
   }
   PacedRule rule;
   rule.phase.step = Angle::degrees(number(job.options, "step", 0.0));

@@ -73,6 +73,15 @@ class ConstantFeed(unittest.TestCase):
                 self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
 
 
+    def test_legs_fitted_to_the_stops_hold(self):
+        """Open loop: a servo period is 6 degrees of spindle, half of it is the best there is."""
+        for acceleration in BOUNDS:
+            with self.subTest(acceleration=acceleration):
+                result = run(Case('constant', acceleration, options={'fit': 1}))
+                self.assertLessEqual(result.report.rms, 4.0)
+                self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+
+
 class Calibration(unittest.TestCase):
     def test_best_mark_gives_the_start_phase(self):
         """Each dimple is asked for 1 degree more; the mark that is at its place tells the phase."""

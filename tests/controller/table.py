@@ -21,6 +21,7 @@ STRATEGIES = [
     ("constant feed (the paper's zigzag), same flute, exact stop", 'constant', {'same': 1}),
     ('constant feed, any flute, exact stop', 'constant', {}),
     ('constant feed, any flute, G64 P0.001', 'constant', {'tolerance': 0.001}),
+    ('constant feed, any flute, legs fitted to the stops', 'constant', {'fit': 1}),
     ('feed per move (F), straight on', 'feed', {'turnarounds': 0}),
     ('feed per move (G93), straight on', 'inverse', {'turnarounds': 0}),
     ('feed per move (F), turn-arounds', 'feed', {}),
@@ -51,23 +52,25 @@ def row(name, case, result):
 def picture(results, path):
     """Phase error along the patch at 2000 mm/s²: lost above, held below on its own scale."""
     figure, axes = pyplot.subplots(2, 1, figsize=(9, 6.4), sharex=True)
-    shown = [(0, 'constant feed, zigzag (paper)', '#b3261e'), (3, 'feed per move, straight on',
-             '#8a6d00'), (6, 'spindle-locked, straight on', '#5f6b7a')]
+    shown = [(0, 'constant feed, zigzag (paper)', '#b3261e'), (4, 'feed per move, straight on',
+             '#8a6d00'), (7, 'spindle-locked, straight on', '#5f6b7a')]
     for index, label, colour in shown:
         error = results[index].report.error
         axes[0].plot(error, '.', ms=4, color=colour, label=label)
     axes[0].set_ylabel('phase error, degrees\n(modulo one tooth, 180)')
     axes[0].set_ylim(-95, 95)
     axes[0].legend(loc='upper left', ncol=3, fontsize=8, framealpha=0.95)
-    last = results[7]
+    fitted, last = results[3], results[8]
     axes[1].axhspan(-6, 6, color='#e7eef7', label='bound on the largest, 6°')
-    axes[1].plot(last.predicted_error, '-', color='#7a9cc6', lw=1.2, label='predicted')
-    axes[1].plot(last.report.error, '.', ms=4, color='#0b4f9e', label='logged')
-    axes[1].set_ylim(-8, 8)
+    axes[1].plot(fitted.report.error, '.', ms=3, color='#d98880',
+                 label='constant feed, legs fitted to the stops')
+    axes[1].plot(last.predicted_error, '-', color='#7a9cc6', lw=1.2, label='spindle-locked, predicted')
+    axes[1].plot(last.report.error, '.', ms=4, color='#0b4f9e', label='spindle-locked, logged')
+    axes[1].set_ylim(-11, 14)
     axes[1].set_ylabel('phase error, degrees')
     axes[1].set_xlabel('dimple, in milling order')
-    axes[1].set_title('spindle-locked with turn-arounds', fontsize=10)
-    axes[1].legend(loc='upper right', ncol=3, fontsize=8)
+    axes[1].set_title('made with the motion model', fontsize=10)
+    axes[1].legend(loc='upper right', ncol=2, fontsize=8)
     axes[0].set_title('LinuxCNC, 2000 mm/s², S1000, N 2: 14 × 14 dimples of the Bezier surface',
                       fontsize=10)
     for axis in axes:
@@ -128,6 +131,10 @@ def main():
         for acceleration in ACCELERATIONS if ratio == 1 else (2000,):
             case = Case('locked', acceleration, velocity, patches, ratio)
             print(row(name + what, case, run(case)), flush=True)
+    fitted = STRATEGIES[3][0]
+    for patches, ratio, what in ((4, 1, ', four patches'), (1, 1.001, ', spindle +0.1 %')):
+        case = Case('constant', 2000, 100, patches, ratio, {'fit': 1})
+        print(row(fitted + what, case, run(case)), flush=True)
     picture(shown, images / 'phase-error-strategies.png')
     path_picture(shown[-1], images / 'turnaround.png')
 

@@ -10,6 +10,8 @@
 namespace patchmill {
 namespace {
 
+constexpr double kArrived = 1e-12;  // mm
+
 // Time to reach `v` from rest; the way is v t / 2 whatever the jerk, by symmetry.
 double run_up(double v, double a, double jerk) {
   if (!std::isfinite(jerk)) return v / a;
@@ -52,6 +54,29 @@ double stop_to_stop_time(double length, double velocity, double acceleration, do
   const double up = run_up(velocity, acceleration, jerk);
   if (length >= velocity * up) return length / velocity + up;
   return 2.0 * run_up(peak_velocity(length, acceleration, jerk), acceleration, jerk);
+}
+
+SampledStep sampled_step(double rest, double speed, double end_speed, double wanted,
+                         double acceleration, double period) {
+  const double gain = acceleration * period, half = 0.5 * gain;
+  const double radicand =
+      end_speed * end_speed + acceleration * (2.0 * rest - speed * period) + half * half;
+  const double brakeable = radicand > half * half ? std::sqrt(radicand) - half : -half;
+  const double next = std::clamp(std::min(brakeable, wanted), speed - gain, speed + gain);
+  if (next < 0.0) return {rest < speed * period ? rest : 0.0, 0.0};
+  return {std::min(rest, 0.5 * (speed + next) * period), next};
+}
+
+double sampled_stop_time(double length, double velocity, double acceleration, double period) {
+  double way = 0.0, speed = 0.0;
+  int periods = 0;
+  while (length - way > kArrived) {
+    const SampledStep step = sampled_step(length - way, speed, 0.0, velocity, acceleration, period);
+    way += step.way;
+    speed = step.speed;
+    ++periods;
+  }
+  return periods * period;
 }
 
 double velocity_for_time(double length, double time, double acceleration) {

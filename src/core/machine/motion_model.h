@@ -37,6 +37,20 @@ double velocity_along(const MotionModel& model, const Vec3& direction);
 double stop_to_stop_time(double length, double velocity, double acceleration,
                          double jerk = kNoJerkLimit);
 
+/// What one interpolation period makes of a tool that is to be at `end_speed` after `rest`: as fast as
+/// it may be and still brake in time, at most `wanted`, within `acceleration`. The trapezoid's law,
+/// sampled; over the last period's way the tool is put on the end.
+struct SampledStep {
+  double way = 0.0;    ///< covered in the period [mm]
+  double speed = 0.0;  ///< at its end [mm/s]
+};
+SampledStep sampled_step(double rest, double speed, double end_speed, double wanted,
+                         double acceleration, double period);
+
+/// Rest to rest as the sampled law takes it: a whole number of periods [s], about half a period more
+/// than stop_to_stop_time. No jerk limit. All arguments > 0.
+double sampled_stop_time(double length, double velocity, double acceleration, double period);
+
 /// The velocity of a rest-to-rest move that takes `time` over `length`, without a jerk limit
 /// [mm/s]: the smaller root of length / F + F / a = time. NaN if even F without limit takes longer.
 double velocity_for_time(double length, double time, double acceleration);

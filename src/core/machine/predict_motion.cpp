@@ -172,18 +172,10 @@ class Simulation {
 
   void step(double dt, double wanted) {
     const Piece& piece = pieces_[at_];
-    const double rest = piece.length - way_, a = piece.acceleration, h = 0.5 * a * dt;
-    const double radicand =
-        piece.end_speed * piece.end_speed + a * (2.0 * rest - speed_ * dt) + h * h;
-    const double brakeable = radicand > h * h ? std::sqrt(radicand) - h : -h;
-    double speed = std::clamp(std::min(brakeable, wanted), speed_ - a * dt, speed_ + a * dt);
-    double advance = 0.5 * (speed + speed_) * dt;
-    if (speed < 0.0) {
-      advance = rest < speed_ * dt ? rest : 0.0;  // within one period's way of the end: be there
-      speed = 0.0;
-    }
-    move_on(std::min(advance, rest), dt);
-    speed_ = speed;
+    const SampledStep next =
+        sampled_step(piece.length - way_, speed_, piece.end_speed, wanted, piece.acceleration, dt);
+    move_on(next.way, dt);
+    speed_ = next.speed;
     if (piece.length - way_ > kArrived) return;
     if (piece.stop) speed_ = 0.0;
     next_piece();
