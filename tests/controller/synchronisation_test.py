@@ -72,7 +72,6 @@ class ConstantFeed(unittest.TestCase):
                 # every move stops: the model knows each time to one interpolation period
                 self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
 
-
     def test_legs_fitted_to_the_stops_hold(self):
         """Open loop: a servo period is 6 degrees of spindle, half of it is the best there is."""
         for acceleration in BOUNDS:

@@ -64,7 +64,8 @@ def picture(results, path):
     axes[1].axhspan(-6, 6, color='#e7eef7', label='bound on the largest, 6°')
     axes[1].plot(fitted.report.error, '.', ms=3, color='#d98880',
                  label='constant feed, legs fitted to the stops')
-    axes[1].plot(last.predicted_error, '-', color='#7a9cc6', lw=1.2, label='spindle-locked, predicted')
+    axes[1].plot(last.predicted_error, '-', color='#7a9cc6', lw=1.2,
+                 label='spindle-locked, predicted')
     axes[1].plot(last.report.error, '.', ms=4, color='#0b4f9e', label='spindle-locked, logged')
     axes[1].set_ylim(-11, 14)
     axes[1].set_ylabel('phase error, degrees')
