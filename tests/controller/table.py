@@ -36,7 +36,11 @@ def row(name, case, result):
     report = result.report
     predicted = numpy.sqrt(numpy.mean(result.predicted_error ** 2))
     if report.rms > LOST:
-        held = 'lost, %+.0f° a dimple' % result.drift()
+        drift = result.drift()
+        if 'fit' in case.options:  # its plan is not length / feed: count from dimple to dimple
+            error = numpy.unwrap(report.error, period=180)
+            drift = (error[-1] - error[0]) / (len(error) - 1)
+        held = 'lost, %+.1f° a dimple' % drift
         place = '–'
     else:
         places = result.places()
