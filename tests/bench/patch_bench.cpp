@@ -1,7 +1,8 @@
 // Throughput of patch division: lattice points in milling order, patch surfaces and lattices on the
 // surface over waves with a formula (so that the division's own share shows), borders and masks.
 // `formula_alone` is the sampler by itself, the limit of what the others can reach. Items are lattice
-// points. SPDX-License-Identifier: LGPL-2.1-or-later
+// points.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/patch/analytic_surfaces.h"
 #include "core/patch/boundary.h"
 #include "core/patch/cover.h"

@@ -1,5 +1,6 @@
 // NodeGrid: places in the texture plane on a rectangle of lattice indices, some of them missing,
-// and smooth interpolation between them. SPDX-License-Identifier: LGPL-2.1-or-later
+// and smooth interpolation between them.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/patch/lattice.h"

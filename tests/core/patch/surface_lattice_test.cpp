@@ -1,5 +1,6 @@
 // Lattices laid on the surface: lengths that must be kept are kept, distortion against closed
-// forms. SPDX-License-Identifier: LGPL-2.1-or-later
+// forms.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/patch/surface_lattice.h"
 
 #include "analytic_surfaces.h"
