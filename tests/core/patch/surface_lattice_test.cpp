@@ -132,8 +132,8 @@ TEST(ChebyshevNet, LeavesNoPartOfTheCapOut) {
 RC_GTEST_PROP(ChebyshevNet, KeepsSpacingsOnWavesFromAnyStart, ()) {
   const double h = *rc::gen::inRange(0, 200) * 0.01, length = *rc::gen::inRange(1200, 4000) * 0.01;
   const Vec2 start(*rc::gen::inRange(-500, 500) * 0.01, *rc::gen::inRange(-500, 500) * 0.01);
-  const Laid net =
-      lay(Mapping::ChebyshevNet, LatticeKind::Square, 0.5, waves(h, length), 8.0, 85.0, start);
+  const Laid net = lay(Mapping::ChebyshevNet, LatticeKind::Square, 0.5, waves(h, length), 8.0, 85.0,
+                       start, true);
   for (int k = 0; k < 2; ++k) {
     RC_ASSERT(net.spread.along[k].pairs > 500);
     RC_ASSERT(std::abs(net.spread.along[k].least - 1.0) < 1e-6);
