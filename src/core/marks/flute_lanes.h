@@ -2,8 +2,9 @@
 // that GCC and Clang share, and compiled once per instruction set: by flute_lanes_*.cpp, which say
 // how many lanes a register has (PATCHMILL_LANES) and give the namespace (PATCHMILL_ISA).
 // Contraction to fused multiply-add is off (-ffp-contract=off) and a lane's operations do not
-// depend on the number of lanes, so all of them give the same bits. SPDX-License-Identifier:
-// LGPL-2.1-or-later No include guard: one inclusion per translation unit.
+// depend on the number of lanes, so all of them give the same bits.
+// No include guard: one inclusion per translation unit.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "core/marks/flute_kernel.h"
 

@@ -38,23 +38,28 @@ std::array<Vec3, 2> link_corners(const LinkRequest& r, const Decimals& decimals)
   const Vec3 across = r.to - r.from;
   const Vec3 side =
       std::abs(across.x()) > std::abs(across.y()) ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitX());
-  const Vec3 to(r.to.x(), r.to.y(), base);
+  const std::array<Vec3, 2> level = {Vec3(r.from.x(), r.from.y(), base),
+                                     Vec3(r.to.x(), r.to.y(), base)};
   std::array<Vec3, 2> best{};
   double miss = std::numeric_limits<double>::infinity();
   const int reach = sideways_reach(base - r.from.z(), unit);
-  for (int aside = 0; aside <= reach && miss > kGoodFit; ++aside) {
-    std::array<Vec3, 2> trial = {Vec3(r.from.x(), r.from.y(), base) + aside * unit * side, to};
-    // the first corner is raised to make up what is missing to the next length that keeps the phase
-    const double periods = (link_length(r, trial) - r.length_zero) / r.length_period;
-    const double missing = (std::ceil(periods) - periods) * r.length_period;
-    const double raise = raise_for((to - trial[0]).norm(), missing);
-    trial[0] = decimals.round(trial[0] + raise * Vec3::UnitZ());
-    const double m = std::abs(length_miss(r, link_length(r, trial)));
-    if (m < miss) {
-      miss = m;
-      best = trial;
+  for (std::size_t end = 0; end < 2; ++end)
+    for (int aside = 0; aside <= reach && miss > kGoodFit; ++aside) {
+      std::array<Vec3, 2> trial = level;
+      trial[end] += aside * unit * side;
+      // the first corner is raised to make up what is missing to the next length that keeps the
+      // phase
+      const double periods = (link_length(r, trial) - r.length_zero) / r.length_period;
+      const double missing = (std::ceil(periods) - periods) * r.length_period;
+      const double raise = raise_for((trial[1] - trial[0]).norm(), missing);
+      trial[0] = decimals.round(trial[0] + raise * Vec3::UnitZ());
+      trial[1] = decimals.round(trial[1]);
+      const double m = std::abs(length_miss(r, link_length(r, trial)));
+      if (m < miss) {
+        miss = m;
+        best = trial;
+      }
     }
-  }
   return best;
 }
 
