@@ -65,7 +65,9 @@ std::array<std::vector<WalkPoint>, 4> lay_threads(const LatticeRequest& r,
   const Vec2 second = second_axis(r.kind);
   const Vec3 heading[4] = {t1, -t1, second.x() * t1 + second.y() * t2,
                            -second.x() * t1 - second.y() * t2};
-  const auto longest = static_cast<std::size_t>(std::min<double>(double(r.max_nodes), 1e6));
+  // a straight line across at 75° of slope; one that is longer goes in circles
+  const double across = 4.0 * limit.diagonal().norm() / r.spacing;
+  const auto longest = static_cast<std::size_t>(std::min(across, double(r.max_nodes)));
   std::array<std::vector<WalkPoint>, 4> threads;
   std::array<bool, 4> open{true, true, true, true};
   while (open[0] || open[1] || open[2] || open[3]) {
