@@ -1,5 +1,6 @@
 // The reliefs shown in docs/cutter-marks.md, as raw float32 with a header line: name rows columns
-// step x y. Built and run by cutter_marks.py. SPDX-License-Identifier: LGPL-2.1-or-later
+// step x y. Built and run by cutter_marks.py.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/alignment.h"
 #include "core/marks/dimple_marks.h"
 #include "core/marks/simulate.h"

@@ -8,8 +8,10 @@
 namespace patchmill {
 namespace {
 
-constexpr int kMostCells = 512;
-constexpr double kFlat = 0.005, kMargin = 0.15;
+// Cells are made flat enough to find every root, and flatter still where that takes few cells: then
+// Newton's method needs a step less.
+constexpr int kMostCells = 512, kFewCells = 64;
+constexpr double kFlat = 0.02, kFlatter = 0.005, kMargin = 0.15;
 
 double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -39,10 +41,13 @@ SeedGrid::SeedGrid(const std::function<Vec2(double, double)>& plan, const Parame
                    int u_cells, int v_cells)
     : box_(box), nu_(std::clamp(u_cells, 2, kMostCells)), nv_(std::clamp(v_cells, 2, kMostCells)) {
   sample(plan);
-  while (!flat(plan) && (nu_ < kMostCells || nv_ < kMostCells)) {
+  double bend = most_bend(plan);
+  while (bend > kFlat ? std::min(nu_, nv_) < kMostCells
+                      : bend > kFlatter && std::max(nu_, nv_) < kFewCells) {
     nu_ = std::min(kMostCells, 2 * nu_);
     nv_ = std::min(kMostCells, 2 * nv_);
     sample(plan);
+    bend = most_bend(plan);
   }
   bin();
 }
@@ -56,17 +61,19 @@ void SeedGrid::sample(const std::function<Vec2(double, double)>& plan) {
           plan(box_.u0 + (box_.u1 - box_.u0) * i / nu_, box_.v0 + (box_.v1 - box_.v0) * j / nv_));
 }
 
-bool SeedGrid::flat(const std::function<Vec2(double, double)>& plan) const {
-  for (int j = 0; j < nv_; ++j)
+double SeedGrid::most_bend(const std::function<Vec2(double, double)>& plan) const {
+  double most = 0.0;
+  for (int j = 0; j < nv_ && most <= kFlat; ++j)
     for (int i = 0; i < nu_; ++i) {
       const Vec2 &a = corner(i, j), &b = corner(i + 1, j), &c = corner(i, j + 1),
                  &d = corner(i + 1, j + 1);
       const double diagonal = std::max((d - a).norm(), (c - b).norm());
       const Vec2 middle = plan(box_.u0 + (box_.u1 - box_.u0) * (i + 0.5) / nu_,
                                box_.v0 + (box_.v1 - box_.v0) * (j + 0.5) / nv_);
-      if ((middle - 0.25 * (a + b + c + d)).norm() > kFlat * diagonal) return false;
+      if (diagonal > 0.0)
+        most = std::max(most, (middle - 0.25 * (a + b + c + d)).norm() / diagonal);
     }
-  return true;
+  return most;
 }
 
 void SeedGrid::bin() {

@@ -24,8 +24,8 @@ class SeedGrid {
  public:
   /// `plan(u, v)`: where the surface point lies in the texture plane, along the projection
   /// direction. `u_cells`, `v_cells`: a first guess of how many cells it takes; doubled (up to 512)
-  /// until the cells are flat: middles within 0.5 % of the cell's diagonal from where bilinear
-  /// interpolation puts them.
+  /// until the cells are flat: middles within 2 % of the cell's diagonal from where bilinear
+  /// interpolation puts them, and within 0.5 % as long as that takes no more than 64 cells a side.
   SeedGrid(const std::function<Vec2(double, double)>& plan, const ParameterBox& box, int u_cells,
            int v_cells);
 
@@ -38,7 +38,8 @@ class SeedGrid {
 
  private:
   void sample(const std::function<Vec2(double, double)>& plan);
-  bool flat(const std::function<Vec2(double, double)>& plan) const;
+  // greatest distance of a cell's middle from its bilinear one, in cell diagonals; stops at kFlat
+  double most_bend(const std::function<Vec2(double, double)>& plan) const;
   void bin();
   const Vec2& corner(int i, int j) const {
     return corners_[std::size_t(j) * std::size_t(nu_ + 1) + std::size_t(i)];

@@ -1,6 +1,7 @@
 // Speed of the cutter-mark simulator: flute-cell evaluations per second, on one and two threads,
 // against the arithmetic limit of one core measured in the same run; and one million dimples on a
-// 0.02 mm grid. SPDX-License-Identifier: LGPL-2.1-or-later
+// 0.02 mm grid.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/simulate.h"
 
 #include <sys/resource.h>

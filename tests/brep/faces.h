@@ -3,8 +3,12 @@
 #pragma once
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Precision.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS_Face.hxx>
 
@@ -26,6 +30,25 @@ inline Handle(Geom_BezierSurface) table1_surface() {
 /// The Table 1 face; its natural normal points upwards.
 inline TopoDS_Face table1_face() {
   return BRepBuilderAPI_MakeFace(table1_surface(), Precision::Confusion());
+}
+
+/// A B-spline over [0, 1]² with evenly spaced simple inner knots.
+inline Handle(Geom_BSplineSurface)
+    uniform_bspline(const TColgp_Array2OfPnt& poles, const TColStd_Array2OfReal& weights,
+                    int u_degree, int v_degree) {
+  auto knots = [](int count, int degree, TColStd_Array1OfInteger& multiplicities) {
+    TColStd_Array1OfReal values(1, count - degree + 1);
+    multiplicities.Resize(1, count - degree + 1, false);
+    multiplicities.Init(1);
+    multiplicities(1) = multiplicities(count - degree + 1) = degree + 1;
+    for (int i = 1; i <= count - degree + 1; ++i) values(i) = double(i - 1) / (count - degree);
+    return values;
+  };
+  TColStd_Array1OfInteger u_mult(1, 1), v_mult(1, 1);
+  const auto u_knots = knots(poles.NbRows(), u_degree, u_mult);
+  const auto v_knots = knots(poles.NbColumns(), v_degree, v_mult);
+  return new Geom_BSplineSurface(poles, weights, u_knots, v_knots, u_mult, v_mult, u_degree,
+                                 v_degree);
 }
 
 }  // namespace patchmill

@@ -1,8 +1,8 @@
 // How cutter marks line up: Matsuda, Sasahara & Tsutsumi 2008, section 2.2, Fig. 2. On adjoining
 // passes the marks are shifted along the feed by the phase difference omega: by omega N / (2 pi) of
 // the feed per tooth. Constant, it makes a square (0), a staggered (1/2) or a skewed array;
-// changing from pass to pass, the marks drift and line up on curves. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// changing from pass to pass, the marks drift and line up on curves.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/vec.h"

@@ -1,5 +1,6 @@
 // Which part of a base surface is under the ball: looked up along the texture plane's projection
-// direction. SPDX-License-Identifier: LGPL-2.1-or-later
+// direction.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/marks/relief.h"

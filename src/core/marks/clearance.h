@@ -1,7 +1,8 @@
 // Gouge and collision: does the ball, the shank or the holder go deeper into the part than allowed,
 // anywhere on a path, links and rapids included? By conservative advancement: the distance to the
 // part changes no faster than the tool moves, so a step may be as long as the clearance allows and
-// nothing is jumped over. SPDX-License-Identifier: LGPL-2.1-or-later
+// nothing is jumped over.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/progress.h"

@@ -1,7 +1,8 @@
 // The dimples of a relief: what a tooth pass leaves is a hollow with a lowest point and, where it
 // meets its neighbours, ridges. Each cell belongs to the hollow into which water would run from it;
 // hollows that are shallower than a limit are dents in a larger one and are merged with it,
-// shallowest first. SPDX-License-Identifier: LGPL-2.1-or-later
+// shallowest first.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/marks/relief.h"

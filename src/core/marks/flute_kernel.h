@@ -9,7 +9,8 @@
 //     r(delta) = delta - atan2(d.b, d.a) - k (d.t - z0) = 0,
 // a(delta) the direction of the flute in the middle of the pass, b = s t x a the way it turns, k
 // the lag of a helical edge per height. Newton's method on r; r' is exact, so it converges
-// quadratically. SPDX-License-Identifier: LGPL-2.1-or-later
+// quadratically.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include <vector>

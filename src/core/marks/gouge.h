@@ -1,4 +1,5 @@
-// Where a relief lies below the surface that was wanted. SPDX-License-Identifier: LGPL-2.1-or-later
+// Where a relief lies below the surface that was wanted.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/marks/relief.h"

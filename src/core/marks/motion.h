@@ -2,7 +2,8 @@
 // spindle angle. A planned ToolPath and a motion recorded on a machine both become one. Time itself
 // does not matter for the marks, only the turning: between two nodes the ball centre moves in
 // proportion to the spindle angle (straight moves at constant feed and spindle speed; Matsuda et
-// al. 2008, section 2.2). SPDX-License-Identifier: LGPL-2.1-or-later
+// al. 2008, section 2.2).
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/path/tool_path.h"

@@ -1,6 +1,6 @@
 // From a tooth pass to the numbers of the innermost loop: everything relative to the ball centre in
-// the middle of the pass, so that single precision is enough. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// the middle of the pass, so that single precision is enough.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/marks/flute_kernel.h"

@@ -1,5 +1,6 @@
 // The texture that was cut against the texture that was planned, dimple by dimple: missing, extra,
-// moved by so much; and one figure for how good it is. SPDX-License-Identifier: LGPL-2.1-or-later
+// moved by so much; and one figure for how good it is.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/marks/dimple_marks.h"

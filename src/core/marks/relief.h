@@ -1,7 +1,7 @@
 // Relief: the machined surface as a height field, its deviation from a base surface along the
 // base's normal. The base is the texture plane, or a curved surface seen from it: one place per
-// grid cell, found along the plane's projection direction. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// grid cell, found along the plane's projection direction.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/vec.h"

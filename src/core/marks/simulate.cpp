@@ -1,5 +1,6 @@
 // Tiles, in parallel: each thread mills whole tiles, all passes of a tile in the order of the path.
-// See simulate.h. SPDX-License-Identifier: LGPL-2.1-or-later
+// See simulate.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/simulate.h"
 
 #include "core/geometry/error.h"

@@ -1,5 +1,6 @@
 // One tile of a height field under the simulator: a square of cells small enough for a processor's
-// cache, milled by all tooth passes that reach it. SPDX-License-Identifier: LGPL-2.1-or-later
+// cache, milled by all tooth passes that reach it.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/marks/pass_frame.h"

@@ -1,8 +1,8 @@
 // Tooth passes: the stretches of spindle angle in which one flute is near the surface. Each turn
 // brings every flute once over the contact point, when its azimuth is that of -n (Xu & Sasahara
 // 2016, section 3.1); a pass is kept only if the edge then reaches below the stock, so that the
-// simulator's cost goes with the marks and not with the turns. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// simulator's cost goes with the marks and not with the turns.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/progress.h"

@@ -49,14 +49,25 @@ enum class MoveKind : std::uint8_t {
   Cut     ///< timed, near or in the part
 };
 
+/// What keeps the time of a move.
+enum class Pace : std::uint8_t {
+  Feed,          ///< a feed: right only while the spindle speed is and the machine accelerates
+  SpindleLocked  ///< the spindle's encoder (G33): so many turns, whatever the speed
+};
+
 constexpr std::int32_t kNoDimple = -1;
 constexpr double kUnknownTurns = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMachineTolerance = std::numeric_limits<double>::quiet_NaN();
 
 struct Move {
   ToolPose end;
   double turns = kUnknownTurns;     ///< planned spindle turns, >= 0; NaN if nobody knows
   std::int32_t dimple = kNoDimple;  ///< number of the dimple on which the move ends, if it does
   MoveKind kind = MoveKind::Rapid;
+  Pace pace = Pace::Feed;
+  /// How far the machine may round the corner at the move's end [mm]; 0: it stops there; NaN: as the
+  /// machine is set.
+  double tolerance = kMachineTolerance;
 };
 
 struct ToolPath {

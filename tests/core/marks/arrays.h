@@ -1,5 +1,6 @@
 // Paths for the simulator's tests: a one-flute mill that makes one mark at each of some places of
-// the plane z = 0 and moves on while its flute is away. SPDX-License-Identifier: LGPL-2.1-or-later
+// the plane z = 0 and moves on while its flute is away.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/marks/simulate.h"

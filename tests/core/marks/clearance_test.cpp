@@ -1,5 +1,6 @@
 // Gouges and collisions are found with their place and depth; clean paths pass; a part without a
-// shape is unknown. SPDX-License-Identifier: LGPL-2.1-or-later
+// shape is unknown.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/clearance.h"
 
 #include "arrays.h"

@@ -1,5 +1,6 @@
 // The simulator's invariances: threads, instruction sets, bands, curved bases, patches of the path,
-// and what it refuses. SPDX-License-Identifier: LGPL-2.1-or-later
+// and what it refuses.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/simulate.h"
 
 #include "core/geometry/error.h"

@@ -1,7 +1,7 @@
 // A slow, independent reference for the simulator: the edges are stepped through time, the surface
 // that each of them sweeps is cut into triangles, and every grid point takes the lowest triangle
-// above or below it. Shares nothing with the simulator but the grid. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// above or below it. Shares nothing with the simulator but the grid.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/marks/relief.h"

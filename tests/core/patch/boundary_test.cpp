@@ -61,8 +61,8 @@ TEST(Boundary, FacesThatLookAwayAreUndercut) {
 }
 
 RC_GTEST_PROP(Boundary, MarginIsTheDistanceToTheNearestSegment, ()) {
-  auto number = [] { return *rc::gen::inRange(-800, 800) * 0.01; };
-  Plate p = plate(waves(1.0, 9.0), PatchShape::Triangle);
+  auto number = [] { return *rc::gen::inRange(-400, 400) * 0.01; };
+  Plate p = plate(waves(1.0, 9.0), PatchShape::Triangle, 3.0);
   std::vector<Segment3> edges;
   for (int n = *rc::gen::inRange(1, 6); n > 0; --n)
     edges.push_back(

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <tbb/global_control.h>
 
 namespace patchmill {
 namespace {
@@ -209,6 +210,21 @@ TEST(AllKinds, CancelGivesNothing) {
   const auto sampler = by_rays(plane, waves(0.5, 15.0));
   EXPECT_FALSE(sample_patches(division(PatchShape::Square, 5, 8.0), plane, sampler,
                               {SurfaceKind::Curved}, [](double) { return false; }));
+}
+
+TEST(AllKinds, AnyNumberOfThreadsGivesTheSame) {
+  const TexturePlane plane;
+  const auto sampler = by_rays(plane, waves(0.5, 15.0));
+  for (SurfaceKind kind : {SurfaceKind::Planar, SurfaceKind::Pyramid}) {
+    const PatchDivision d = division(PatchShape::Hexagon, 3, 15.0);
+    const auto many = *sample_patches(d, plane, sampler, {kind});
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const auto single = *sample_patches(d, plane, sampler, {kind});
+    for (std::size_t k = 0; k < many.size(); ++k) {
+      ASSERT_EQ(many[k].surface.position, single[k].surface.position);
+      ASSERT_EQ(many[k].surface.normal, single[k].surface.normal);
+    }
+  }
 }
 
 TEST(Planar, SteepPlanesAreNoFacets) {

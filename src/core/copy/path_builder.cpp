@@ -1,0 +1,51 @@
+// Linking of cuts; see path_builder.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/copy/path_builder.h"
+
+namespace patchmill {
+
+PathBuilder::PathBuilder(const CopyOptions& options)
+    : options_(options),
+      safe_(options.stock.hi.z() + options.clearance),
+      tip_(options.stock.lo.x(), options.stock.lo.y(), safe_) {
+  path_.tool = options.tool;
+  path_.spindle = options.spindle;
+  path_.start = {tip_, Vec3::UnitZ()};
+}
+
+void PathBuilder::rapid(const Vec3& tip) {
+  if (tip == tip_) return;
+  Move move;
+  move.end.tip = tip;
+  path_.moves.push_back(move);
+  tip_ = tip;
+}
+
+void PathBuilder::feed(const Vec3& tip, MoveKind kind) {
+  if (tip == tip_) return;
+  Move move;
+  move.end.tip = tip;
+  move.kind = kind;
+  move.turns = options_.spindle.speed * (tip - tip_).norm() / options_.feed;
+  path_.moves.push_back(move);
+  tip_ = tip;
+}
+
+void PathBuilder::cut(const std::vector<Vec3>& centres) {
+  if (centres.size() < 2) return;
+  const Vec3 down(0, 0, options_.tool.radius);
+  const Vec3 first = centres.front() - down;
+  if ((first - tip_).norm() > 1e-9) {
+    rapid({tip_.x(), tip_.y(), safe_});
+    rapid({first.x(), first.y(), safe_});
+    feed(first, MoveKind::Link);
+  }
+  for (std::size_t i = 1; i < centres.size(); ++i) feed(centres[i] - down, MoveKind::Cut);
+}
+
+ToolPath PathBuilder::finish() {
+  rapid({tip_.x(), tip_.y(), safe_});
+  return std::move(path_);
+}
+
+}  // namespace patchmill

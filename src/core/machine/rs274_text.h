@@ -1,0 +1,32 @@
+// ToolPath as a program in the RS-274 dialect of LinuxCNC, with the words that a timed path needs:
+//     G33 X Y Z K    spindle-locked, K mm per turn
+//     G1 X Y Z F     feed-paced, mm/min; or G93 G1 F with F = 1 / (duration in minutes)
+//     G61 / G64 P Q0 exact stop / rounding within P, no merging of moves
+// G61 and G64 between G33 moves keep the lock; any other motion ends it.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/machine/corner_blend.h"
+#include "core/sync/rounding.h"
+
+#include <string>
+
+namespace patchmill {
+
+enum class FeedWord : std::uint8_t {
+  PerMinute,   ///< G94
+  InverseTime  ///< G93
+};
+
+struct Rs274Text {
+  std::string text;
+  std::vector<long> lines;  ///< line (from 1) of each move; a move of no length has the one before
+};
+
+/// The program, from "G21" to "M2". Coordinates are rounded to `decimals` (a path that is on them
+/// keeps its lengths); K, with 7 decimals, carries its rounding on from move to move. Errors: as
+/// locked_pitches; InputError naming Turns if a feed-paced move has none.
+Rs274Text rs274_text(const ToolPath& path, const MotionModel& model, const Decimals& decimals,
+                     FeedWord feed = FeedWord::PerMinute);
+
+}  // namespace patchmill

@@ -1,0 +1,67 @@
+// A tree of boxes over the triangles of a mesh: one structure for the closest point, for lines
+// through the solid, and for dropping a ball on it (core/copy/drop_cutter.h). Built once, then read
+// by any number of threads. The same mesh gives the same tree.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/voxel/triangle_mesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace patchmill {
+
+struct BvhNode {
+  Vec3 lo, hi;
+  std::int32_t first = 0;  ///< leaf: index into `order`; inner: number of the left child
+  std::int32_t count = 0;  ///< leaf: how many triangles; inner: 0, and the right child is first + 1
+};
+
+/// A plane that lies over all triangles of a node: z <= slope . (x, y) + height. Its slope is the mean one
+/// of the triangles that face up, so that over a smooth surface it lies close.
+struct BvhLid {
+  Vec2 slope = Vec2::Zero();
+  double height = 0.0;
+  double stretch = 1.0;  ///< sqrt(1 + |slope|^2)
+};
+
+struct Triangle {
+  Vec3 a, b, c;
+};
+
+class TriangleBvh {
+ public:
+  /// Errors: InputError if the mesh has no triangle.
+  explicit TriangleBvh(const TriangleMesh& mesh);
+
+  const std::vector<BvhNode>& nodes() const { return nodes_; }  ///< node 0 is the root
+  const std::vector<BvhLid>& lids() const { return lids_; }     ///< one per node
+  /// Triangles in the order of the leaves, and what their numbers in the mesh are.
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const std::vector<std::int32_t>& order() const { return order_; }
+
+ private:
+  std::int32_t split(std::int32_t node, const std::vector<Vec3>& middle, const TriangleMesh& mesh);
+  std::vector<BvhNode> nodes_;
+  std::vector<BvhLid> lids_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::int32_t> order_;
+};
+
+struct ClosestPoint {
+  std::int32_t triangle = -1;  ///< number in the mesh; -1 if none is within reach
+  Vec3 point = Vec3::Zero();
+  Vec3 barycentric = Vec3::Zero();  ///< weights of the triangle's corners
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// The point of the mesh nearest to `p`, among those nearer than `reach` [mm].
+ClosestPoint closest_point(const TriangleBvh& bvh, const Vec3& p,
+                           double reach = std::numeric_limits<double>::infinity());
+
+/// The x [mm] at which the line (y, z) parallel to the x axis crosses the mesh, ascending. For a
+/// closed mesh the number is even and the line is inside between the 1st and 2nd, the 3rd and
+/// 4th...: a line through an edge or a vertex counts each passage once (see parity.h).
+std::vector<double> line_crossings(const TriangleBvh& bvh, double y, double z);
+
+}  // namespace patchmill

@@ -1,0 +1,68 @@
+// The voxel model's lookups and memory estimate.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/voxel/voxel_grid.h"
+
+#include "core/geometry/error.h"
+#include "core/voxel/laplace_level.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace patchmill {
+
+VoxelKind VoxelGrid::at(const Cell& cell) const {
+  if ((cell.array() < 0).any() || (cell.array() >= frame.cells.array()).any())
+    return VoxelKind::Air;
+  const std::int64_t index = cell_index(table, cell);
+  if (index >= 0) return kind[index];
+  const bool solid = solid_bricks[table.flat(Cell(cell.x() >> 3, cell.y() >> 3, cell.z() >> 3))];
+  return solid ? VoxelKind::Part : VoxelKind::Air;
+}
+
+std::array<std::int64_t, kVoxelKinds> count_kinds(const VoxelGrid& grid) {
+  std::array<std::int64_t, kVoxelKinds> count{};
+  for (const VoxelKind kind : grid.kind) ++count[static_cast<int>(kind)];
+  return count;
+}
+
+namespace {
+
+MemoryEstimate of_bricks(double bricks, double box_bricks) {
+  const double cells = bricks * kBrickCells;
+  MemoryEstimate need;
+  // the table, the flags, and the kinds twice while they are gathered
+  need.grid = 5.0 * box_bricks + bricks * (sizeof(Cell) + 6.0 * sizeof(std::int32_t)) + 2.0 * cells;
+  need.fields = cells * (3.0 * sizeof(double) + 2.0 * sizeof(float));
+  const double solving =
+      static_cast<double>(laplace_bytes(1, 2)) * bricks + cells * (1.0 + 2.0 * sizeof(double));
+  // the posture is solved before the feed fields are made: the peak is the larger of the two
+  need.solver = std::max(0.0, solving - need.fields);
+  return need;
+}
+
+}  // namespace
+
+MemoryEstimate estimate_memory(const GridFrame& frame, double volume, double area) {
+  const double side = frame.pitch * kBrickSide, box = brick_box(frame.cells).cast<double>().prod();
+  const double bricks = volume / (side * side * side) + 1.5 * area / (side * side);
+  return of_bricks(std::min(bricks, box), box);
+}
+
+MemoryEstimate memory_of(const BrickTable& table) {
+  return of_bricks(static_cast<double>(table.size()), table.bricks.cast<double>().prod());
+}
+
+void require_memory(const MemoryEstimate& need, double limit, const GridFrame& frame) {
+  if (need.total() <= limit) return;
+  const double mib = 1024.0 * 1024.0;
+  throw InputError(
+      "voxel size",
+      fmt::format("{} mm, {:.0f} voxels of box, about {:.0f} MiB of the {:.0f} MiB allowed",
+                  frame.pitch, frame.box_cells(), need.total() / mib, limit / mib),
+      fmt::format("make voxels about {:.3g} mm or raise the memory limit.",
+                  1.05 * frame.pitch * std::cbrt(need.total() / limit)));
+}
+
+}  // namespace patchmill

@@ -1,0 +1,94 @@
+"""One case from plan to cut: make_program -> LinuxCNC -> phase, prediction, places, marks.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+import csv
+import dataclasses
+import os
+import pathlib
+import subprocess
+import tempfile
+
+import numpy
+
+from . import controller, cutting, phase
+
+FLUTES, RADIUS, SPACING, SENSE = 2, 1.0, 0.5, -1
+RIDGE = SPACING ** 2 / (4 * RADIUS)  # about the height of the peaks between dimples, mm
+
+
+@dataclasses.dataclass
+class Case:
+    strategy: str              # of make_program
+    acceleration: float        # mm/s²
+    velocity: float = 100.0    # mm/s
+    patches: int = 1
+    speed_ratio: float = 1.0   # true spindle speed / planned
+    options: dict = dataclasses.field(default_factory=dict)
+
+    def machine(self):
+        return controller.Machine(acceleration=self.acceleration, velocity=self.velocity,
+                                  speed_ratio=self.speed_ratio)
+
+
+@dataclasses.dataclass
+class Result:
+    log: controller.Log
+    targets: phase.Targets
+    report: phase.Report
+    points: numpy.ndarray     # of the dimples on the surface, mm
+    normals: numpy.ndarray
+    predicted: numpy.ndarray  # when the motion model says that the tool passes each dimple, s
+    predicted_error: numpy.ndarray  # degrees, constant offset removed
+    planned_turns: numpy.ndarray  # spindle turns that the plan gives each dimple
+
+    def drift(self):
+        """Spindle turns that the machine took above the plan, degrees per dimple."""
+        turns = numpy.interp(self.report.time, self.log.time, self.log.turns)
+        late = 360 * (turns - self.planned_turns)
+        return float(late[-1] - late[0]) / (len(late) - 1)
+
+    def time_difference(self):
+        """Logged less predicted passing times, s; the start of the clocks is the mean's affair."""
+        difference = self.report.time - self.predicted
+        return difference - 0.5 * (difference.max() + difference.min())
+
+    def edge(self, offset=None):
+        offset = self.report.offset if offset is None else offset
+        return cutting.Edge(self.log, offset, RADIUS, FLUTES, SENSE)
+
+    def places(self):
+        return cutting.places(self.edge(), self.report, self.points, self.normals)
+
+    def unwanted_marks(self, reach=RIDGE):
+        return cutting.unwanted_marks(self.edge(), self.report, self.points, self.normals, reach,
+                                      SPACING)
+
+
+def make(case, stem, program=None):
+    """Writes stem.ngc and stem.csv."""
+    program = program or os.environ['MAKE_PROGRAM']
+    words = ['%s=%s' % entry for entry in case.options.items()]
+    subprocess.run([program, case.strategy, str(case.acceleration), str(case.velocity),
+                    str(case.patches), str(stem), 'ratio=%g' % case.speed_ratio, *words],
+                   check=True, stdout=subprocess.DEVNULL)
+
+
+def run(case, program=None):
+    """Plans, runs and measures one case."""
+    with tempfile.TemporaryDirectory(prefix='patchmill-case-') as folder:
+        stem = pathlib.Path(folder) / 'case'
+        make(case, stem, program)
+        log = controller.run(stem.with_suffix('.ngc'), case.machine())
+        table = stem.with_suffix('.csv')
+        targets = phase.read_targets(table)
+        points, normals = cutting.read_surface(table)
+        with open(table, newline='', encoding='ascii') as file:
+            rows = list(csv.DictReader(file))
+    predicted = numpy.array([[float(row[name]) for row in rows]
+                             for name in ('predicted_s', 'predicted_turns',
+                                          'planned_turns')])
+    error, _ = phase.without_offset(360 * predicted[1] - SENSE * targets.azimuth, 360 / FLUTES)
+    report = phase.measure(log, targets, FLUTES, SENSE)
+    return Result(log, targets, report, points, normals, predicted[0], error,
+                  predicted[2])

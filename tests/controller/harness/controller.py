@@ -1,0 +1,195 @@
+"""Runs a G-code program through LinuxCNC (task, motion, simulated spindle) and returns what moved.
+
+    from harness.controller import Machine, run
+    log = run('program.ngc', Machine(acceleration=2000, velocity=100))
+
+No display, no real-time kernel, no privileges: LinuxCNC lives in process, message, network and
+mount namespaces of its own, so that runs do not meet and the kernel ends everything with the first
+process.
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+import dataclasses
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import tempfile
+
+import numpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+NOBODY = 65534
+
+
+class ControllerError(RuntimeError):
+    """LinuxCNC refused the program or did not end in time."""
+
+
+class TooFast(ControllerError):
+    """The log has a gap or the motion queue ran empty: the wall's clock could not keep up."""
+
+
+@dataclasses.dataclass
+class Machine:
+    """A three-axis mill. Limits hold for each linear axis."""
+    acceleration: float = 2000.0  # mm/s²
+    velocity: float = 100.0       # mm/s
+    period: float = 1e-3          # servo period, s
+    speed_ratio: float = 1.0      # true spindle speed / commanded speed
+    travel: float = 1000.0        # ± mm
+
+
+@dataclasses.dataclass
+class Log:
+    """One entry for each servo period."""
+    time: numpy.ndarray   # s, counted in servo periods
+    tip: numpy.ndarray    # (n, 3) tool tip from the joints, mm
+    turns: numpy.ndarray  # spindle revolutions; their fraction is the angle from the index
+    line: numpy.ndarray   # program line
+    starved: int          # how often the motion queue ran empty
+
+    def save(self, path):
+        table = numpy.column_stack([self.time, self.tip, self.turns, self.line])
+        numpy.savetxt(path, table, delimiter=',', comments='', fmt='%.7f',
+                      header='time_s,x_mm,y_mm,z_mm,turns,line')
+
+
+def ini(machine):
+    """The text of machine.ini."""
+    axis = {'MIN_LIMIT': -machine.travel, 'MAX_LIMIT': machine.travel,
+            'MAX_VELOCITY': machine.velocity, 'MAX_ACCELERATION': machine.acceleration}
+    joint = dict(axis, TYPE='LINEAR', FERROR=1000, MIN_FERROR=1000, HOME_SEARCH_VEL=0,
+                 HOME_LATCH_VEL=0)
+    # the limits of the path are above those of any axis, so that the axes decide
+    sections = {
+        'EMC': {'VERSION': '1.1', 'MACHINE': 'patchmill', 'DEBUG': 0},
+        'DISPLAY': {'DISPLAY': './driver.py', 'CYCLE_TIME': 0.1},
+        'TASK': {'TASK': 'milltask', 'CYCLE_TIME': 0.001},
+        'RS274NGC': {'PARAMETER_FILE': 'machine.var'},
+        'EMCMOT': {'EMCMOT': 'motmod', 'COMM_TIMEOUT': 4,
+                   'SERVO_PERIOD': round(machine.period * 1e9)},
+        'EMCIO': {'EMCIO': 'io', 'CYCLE_TIME': 0.01, 'TOOL_TABLE': 'machine.tbl'},
+        'HAL': {'HALFILE': 'machine.hal'},
+        'KINS': {'KINEMATICS': 'trivkins coordinates=XYZ', 'JOINTS': 3},
+        'TRAJ': {'COORDINATES': 'X Y Z', 'LINEAR_UNITS': 'mm', 'ANGULAR_UNITS': 'deg',
+                 'DEFAULT_LINEAR_VELOCITY': machine.velocity,
+                 'MAX_LINEAR_VELOCITY': 2 * machine.velocity,
+                 'DEFAULT_LINEAR_ACCELERATION': 2 * machine.acceleration,
+                 'MAX_LINEAR_ACCELERATION': 2 * machine.acceleration, 'NO_FORCE_HOMING': 1},
+        'SPINDLE_0': {'RPM_PER_SECOND': 5000, 'SPEED_RATIO': machine.speed_ratio},
+    }
+    for number, letter in enumerate('XYZ'):
+        sections['AXIS_' + letter] = axis
+        sections['JOINT_%d' % number] = joint
+    lines = []
+    for name, entries in sections.items():
+        lines += ['[%s]' % name] + ['%s = %s' % entry for entry in entries.items()]
+    return '\n'.join(lines) + '\n'
+
+
+def prepare(folder, program, machine):
+    """Fills the work folder of one run."""
+    (folder / 'machine.ini').write_text(ini(machine), encoding='utf-8')
+    (folder / 'machine.tbl').write_text('T1 P1 D2\n', encoding='utf-8')
+    (folder / 'machine.var').touch()
+    for name in ('machine.hal', 'driver.py'):
+        shutil.copy(HERE / name, folder / name)
+    (folder / 'driver.py').chmod(0o755)
+    shutil.copy(program, folder / 'program.ngc')
+    subprocess.run(['gcc', '-O2', '-shared', '-fPIC', '-o', folder / 'virtual_clock.so',
+                    HERE / 'virtual_clock.c'], check=True)
+    for path in [folder, *folder.iterdir()]:
+        path.chmod(path.stat().st_mode | 0o666 | (0o111 if path.is_dir() else 0))
+
+
+def command_line(folder, rate):
+    """unshare … linuxcnc. An ordinary user gets namespaces through a user namespace of his own."""
+    inside = 'ip link set lo up; mount -t tmpfs tmpfs /dev/shm; cd "$1"; shift; exec "$@"'
+    user, become = ['--user', '--map-current-user', '--keep-caps'], ['setpriv', '--no-new-privs']
+    if os.getuid() == 0:
+        user = []
+        become += ['--reuid=%d' % NOBODY, '--regid=%d' % NOBODY, '--clear-groups']
+    return ['unshare', *user, '--fork', '--pid', '--mount-proc', '--ipc', '--net', '--kill-child',
+            'bash', '-c', inside, 'bash', folder, *become,
+            'env', '-i', 'PATH=/usr/bin:/bin', 'HOME=%s' % folder, 'LANG=C',
+            'CLOCK_RATE=%g' % rate, 'LD_PRELOAD=%s' % (folder / 'virtual_clock.so'),
+            'linuxcnc', folder / 'machine.ini']
+
+
+def read_samples(path, period):
+    """halsampler's lines -> Log. Whole turns that an index reset took away are put back."""
+    rows = []
+    with open(path, encoding='ascii') as file:
+        for text in file:
+            if text.startswith('overrun'):
+                raise TooFast('the log has a gap')
+            row = text.split()
+            if len(row) == 7:
+                rows.append(row)
+    if len(rows) < 2:
+        raise ControllerError('nothing was logged')
+    table = numpy.array(rows, dtype=float)
+    if numpy.any(numpy.diff(table[:, 0]) != 1):
+        raise TooFast('the log has a gap')
+    turns = table[:, 4]
+    lost = numpy.where(numpy.diff(turns) < -0.5, numpy.ceil(-numpy.diff(turns)), 0.0)
+    turns = turns + numpy.concatenate([[0.0], numpy.cumsum(lost)])
+    settled = table[:, 6]
+    starved = int(numpy.sum(numpy.diff(settled) > 0))
+    return Log((table[:, 0] - table[0, 0]) * period, table[:, 1:4], turns, table[:, 5], starved)
+
+
+def end(child):
+    """Kills the first process of the run's namespace; the kernel then ends the others. (The signal
+    that unshare asks for at its own death is lost when setpriv changes the user.)"""
+    if child.poll() is None:
+        children = pathlib.Path('/proc/%d/task/%d/children' % (child.pid, child.pid))
+        for pid in children.read_text(encoding='ascii').split():
+            os.kill(int(pid), signal.SIGKILL)
+        try:
+            child.wait(5)
+        except subprocess.TimeoutExpired:
+            child.kill()
+    child.wait()
+
+
+def run_once(program, machine, rate, limit):
+    """One run at one clock rate; see run()."""
+    with tempfile.TemporaryDirectory(prefix='patchmill-controller-') as name:
+        folder = pathlib.Path(name)
+        prepare(folder, program, machine)
+        output = folder / 'output.txt'
+        with open(output, 'wb') as sink:
+            child = subprocess.Popen(command_line(folder, rate), stdout=sink,
+                                     stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+            try:
+                child.wait(limit)
+            except subprocess.TimeoutExpired:
+                raise ControllerError('not done after %g s' % limit) from None
+            finally:
+                end(child)
+        verdict = folder / 'verdict.txt'
+        words = verdict.read_text(encoding='utf-8').strip() if verdict.exists() else 'no verdict'
+        if words != 'ok':
+            tail = output.read_text(errors='replace')[-1500:]
+            raise ControllerError('%s\n%s' % (words, tail))
+        return read_samples(folder / 'samples.txt', machine.period)
+
+
+def run(program, machine=None, rate=20.0, limit=120.0, stops=1):
+    """Runs the G-code file `program`. `rate`: simulated seconds in a second, lowered if the
+    computer is too busy for it; `limit`: wall seconds for each attempt; `stops`: how often the
+    motion queue runs empty in this program (at its end, and at each block that waits).
+
+    Returns a Log; raises ControllerError with LinuxCNC's own words.
+    """
+    machine = machine or Machine()
+    for attempt in (rate, rate / 3, rate / 10):
+        try:
+            log = run_once(program, machine, attempt, limit)
+        except TooFast:
+            continue
+        if log.starved <= stops:
+            return log
+    raise TooFast('the motion queue ran empty at every clock rate')

@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+"""LinuxCNC's "display" without a display: switches on, runs program.ngc, records it, leaves.
+
+Runs inside the work folder of one run. Leaves samples.txt (halsampler's lines) and verdict.txt,
+whose first word is "ok" or "error".
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+import signal
+import subprocess
+import sys
+import time
+
+import linuxcnc
+
+START_SECONDS = 30
+ERRORS = (linuxcnc.NML_ERROR, linuxcnc.OPERATOR_ERROR)
+
+
+def leave(verdict):
+    with open('verdict.txt', 'w', encoding='utf-8') as file:
+        file.write(verdict + '\n')
+    sys.exit(0 if verdict.startswith('ok') else 1)
+
+
+def connect():
+    """Channels to task, once it answers."""
+    deadline = time.monotonic() + START_SECONDS
+    while time.monotonic() < deadline:
+        try:
+            status = linuxcnc.stat()
+            status.poll()
+            if status.task_state:
+                return status, linuxcnc.command(), linuxcnc.error_channel()
+        except linuxcnc.error:
+            pass
+        time.sleep(0.02)
+    leave('error: task did not start')
+
+
+def raise_errors(channel):
+    while True:
+        message = channel.poll()
+        if not message:
+            return
+        if message[0] in ERRORS:
+            leave('error: ' + message[1])
+
+
+def order(command, channel, call, *values):
+    call(*values)
+    if command.wait_complete(START_SECONDS) != linuxcnc.RCS_DONE:
+        raise_errors(channel)
+        leave('error: %s%r was refused' % (call.__name__, values))
+
+
+def run(status, command, channel):
+    """Starts the program and waits until the interpreter and the motion queue are both done."""
+    command.auto(linuxcnc.AUTO_RUN, 0)
+    started = time.monotonic()
+    calm = 0
+    while calm < 4:
+        time.sleep(0.02)
+        status.poll()
+        raise_errors(channel)
+        idle = status.interp_state == linuxcnc.INTERP_IDLE and status.inpos and not status.queue
+        # a program that has not begun looks idle as well
+        begun = status.motion_line > 0 or time.monotonic() - started > 2.0
+        calm = calm + 1 if idle and begun else 0
+
+
+def main():
+    status, command, channel = connect()
+    order(command, channel, command.state, linuxcnc.STATE_ESTOP_RESET)
+    order(command, channel, command.state, linuxcnc.STATE_ON)
+    order(command, channel, command.mode, linuxcnc.MODE_AUTO)
+    order(command, channel, command.program_open, 'program.ngc')
+    recorder = subprocess.Popen(['halsampler', '-t', 'samples.txt'])
+    time.sleep(0.2)
+    subprocess.run(['halcmd', 'setp', 'sampler.0.enable', '1'], check=True)
+    try:
+        run(status, command, channel)
+    finally:
+        subprocess.run(['halcmd', 'setp', 'sampler.0.enable', '0'], check=True)
+        time.sleep(0.2)
+        recorder.send_signal(signal.SIGINT)
+        recorder.wait(10)
+    leave('ok')
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,155 @@
+"""The phase that each strategy holds, through LinuxCNC's planner at a 1 ms servo period.
+
+S1000, N 2, f 0.5, R 1, patches of 14 x 14 dimples on the Bezier surface of Xu & Sasahara 2016,
+Table 1, with its steepest corner. Run with MAKE_PROGRAM set to the program of that name.
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+import os
+import pathlib
+import random
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from harness import controller, phase  # noqa: E402
+from harness.case import Case, FLUTES, SENSE, SPACING, run  # noqa: E402
+
+PERIOD = 1e-3
+# acceleration -> bounds of phase error, rms and largest [degrees]; turns per dimple; place [of f]
+BOUNDS = {500: (3.0, 9.0, 1.3, 0.03), 2000: (2.0, 6.0, 0.9, 0.03), 10000: (1.5, 4.0, 0.7, 0.02)}
+
+
+class SpindleLocked(unittest.TestCase):
+    def check(self, case):
+        result = run(case)
+        rms, largest, turns, place = BOUNDS[case.acceleration]
+        report = result.report
+        self.assertLessEqual(report.rms, rms)
+        self.assertLessEqual(report.largest, largest)
+        self.assertLessEqual(report.turns_per_dimple, turns)
+        self.assertLessEqual(report.miss.max(), 1e-3)
+        return result, place
+
+    def test_one_patch(self):
+        for acceleration in BOUNDS:
+            for velocity in (100, 300):
+                with self.subTest(acceleration=acceleration, velocity=velocity):
+                    result, place = self.check(Case('locked', acceleration, velocity))
+                    self.assertLessEqual(result.places().rms, place * SPACING)
+                    # the model's times beside the log
+                    self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+
+    def test_four_patches_with_links(self):
+        for acceleration in BOUNDS:
+            for velocity in (100, 300):
+                with self.subTest(acceleration=acceleration, velocity=velocity):
+                    result, place = self.check(Case('locked', acceleration, velocity, 4))
+                    self.assertEqual(len(set(result.targets.patch)), 4)
+                    self.assertLessEqual(result.places().rms, place * SPACING)
+
+    def test_spindle_one_percent_off(self):
+        for ratio in (0.99, 1.01):
+            for velocity in (100, 300):
+                with self.subTest(ratio=ratio, velocity=velocity):
+                    self.check(Case('locked', 2000, velocity, 1, ratio))
+
+    def test_no_tooth_marks_between_rows(self):
+        for acceleration in (2000, 10000):
+            with self.subTest(acceleration=acceleration):
+                result, _ = self.check(Case('locked', acceleration))
+                self.assertEqual(result.unwanted_marks(), [])
+
+
+class ConstantFeed(unittest.TestCase):
+    def test_zigzag_is_lost_as_predicted(self):
+        for acceleration in BOUNDS:
+            with self.subTest(acceleration=acceleration):
+                result = run(Case('constant', acceleration))
+                self.assertGreater(result.report.rms, 30.0)
+                # every move stops: the model knows each time to one interpolation period
+                self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+
+    def test_legs_fitted_to_the_stops_hold(self):
+        """Open loop: a servo period is 6 degrees of spindle, half of it is the best there is."""
+        for acceleration in BOUNDS:
+            with self.subTest(acceleration=acceleration):
+                result = run(Case('constant', acceleration, options={'fit': 1}))
+                self.assertLessEqual(result.report.rms, 4.0)
+                self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+
+
+class Calibration(unittest.TestCase):
+    def test_best_mark_gives_the_start_phase(self):
+        """Each dimple is asked for 1 degree more; the mark that is at its place tells the phase."""
+        result = run(Case('locked', 2000, options={'step': 1}))
+        period = 360 / FLUTES
+        turns = numpy.interp(result.report.time, result.log.time, result.log.turns)
+        steps = numpy.arange(len(turns))
+        _, known = phase.without_offset(
+            360 * turns - SENSE * result.targets.azimuth - steps, period)
+        generator = random.Random(2016)
+        for _ in range(8):
+            unknown = generator.uniform(0, period)
+            miss = self.misses(result, result.edge(known - unknown))
+            best = self.middle_of_the_good(miss)
+            self.assertLessEqual(abs(phase.wrapped(-best - unknown, period)), 1.0)
+
+    @staticmethod
+    def middle_of_the_good(miss, reach=8):
+        """Number of the mark about which the misses grow alike on both sides: the V that fits them
+        best in absolute deviation. A single mark may be good by luck."""
+        steps = numpy.arange(len(miss))
+        best = (numpy.inf, 0)
+        for middle in steps[reach:-reach]:
+            near = slice(middle - reach, middle + reach + 1)
+            distance = abs(steps[near] - middle)
+            for slope in numpy.linspace(1e-3, 5e-3, 17):
+                misfit = abs(miss[near] - slope * distance).sum()
+                best = min(best, (misfit, int(middle)))
+        return best[1]
+
+    @staticmethod
+    def misses(result, edge):
+        """How far each mark's deepest point is from its dimple, mm."""
+        found = []
+        for moment, point, normal in zip(result.report.time, result.points, result.normals):
+            window = numpy.arange(moment - 0.016, moment + 0.016, 2e-5)
+            found.append(numpy.linalg.norm(edge.deepest(window, point, normal)[0] - point))
+        return numpy.array(found)
+
+
+class Harness(unittest.TestCase):
+    def test_ends_in_time_and_leaves_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / 'wait.ngc'
+            program.write_text('G4 P100000\nM2\n', encoding='ascii')
+            before = self.processes()
+            with self.assertRaises(controller.ControllerError):
+                controller.run(program, limit=5.0)
+            self.assertEqual(self.processes() - before, set())
+
+    def test_reports_the_controllers_words(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / 'bad.ngc'
+            program.write_text('G21\nG33 X1 K1\nM2\n', encoding='ascii')
+            with self.assertRaisesRegex(controller.ControllerError, 'Spindle'):
+                controller.run(program)
+
+    @staticmethod
+    def processes():
+        """Processes that live in the work folder of one of this process' runs."""
+        found = set()
+        for entry in pathlib.Path('/proc').iterdir():
+            try:
+                if entry.name.isdigit() and 'patchmill-controller-' in os.readlink(entry / 'cwd'):
+                    found.add(entry.name)
+            except OSError:
+                continue  # gone meanwhile, or another user's
+        return found
+
+
+if __name__ == '__main__':
+    unittest.main()

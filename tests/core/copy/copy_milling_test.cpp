@@ -1,0 +1,214 @@
+// Copy milling: no gouge by an independent check, scallops as predicted, layers, curves.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/copy/copy_milling.h"
+
+#include "core/copy/drop_cutter.h"
+#include "core/copy/level_curves.h"
+#include "core/copy/scanning.h"
+#include "core/geometry/error.h"
+#include "voxel/shapes.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace patchmill {
+namespace {
+
+CopyOptions paper_options(CopyMode mode, const Box& stock) {
+  CopyOptions options;  // Table 1 of the paper
+  options.mode = mode;
+  options.tool = {3.0, 2};
+  options.spindle.speed = 100.0;
+  options.feed = 400.0 / 60.0;
+  options.radial_depth = 2.0;
+  options.axial_depth = 2.0;
+  options.stock = stock;
+  return options;
+}
+
+Box box(const Vec3& lo, const Vec3& hi) {
+  Box b;
+  b.include(lo);
+  b.include(hi);
+  return b;
+}
+
+// Calls `visit(ball centre)` every 0.1 mm of cutting.
+template <class Visit>
+void along_cuts(const ToolPath& path, const Visit& visit) {
+  Vec3 from = ball_centre(path.start, path.tool.radius);
+  for (const Move& move : path.moves) {
+    const Vec3 to = ball_centre(move.end, path.tool.radius);
+    const int n = 1 + static_cast<int>((to - from).norm() / 0.1);
+    if (move.kind == MoveKind::Cut)
+      for (int i = 0; i <= n; ++i) visit(Vec3(from + double(i) / n * (to - from)));
+    from = to;
+  }
+}
+
+// How deep the ball goes into the part, by distance and parity: no code in common with the probe.
+double deepest_gouge(const TriangleBvh& part, const ToolPath& path) {
+  double deepest = 0.0;
+  along_cuts(path, [&](const Vec3& c) {
+    const auto cross = line_crossings(part, c.y(), c.z());
+    const auto before = std::upper_bound(cross.begin(), cross.end(), c.x()) - cross.begin();
+    const double d = closest_point(part, c).distance;
+    deepest = std::max(deepest, path.tool.radius - (before % 2 == 1 ? -d : d));
+  });
+  return deepest;
+}
+
+class CopyParts : public testing::TestWithParam<CopyMode> {};
+
+TEST_P(CopyParts, NoGougeDeeperThanTheToleranceOnTheConvexPart) {
+  const TriangleBvh part(shapes::convex_part(30));
+  CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(50, 50, 30)));
+  if (GetParam() != CopyMode::Contour) options.radial_depth = 5.0;
+  options.axial_depth = 4.0;
+  const ToolPath path = copy_mill(part, options);
+  EXPECT_GT(statistics(path).cut_length, 500.0);
+  EXPECT_LE(deepest_gouge(part, path), options.tolerance);
+}
+
+TEST_P(CopyParts, NoGougeDeeperThanTheToleranceOnTheOverhangingPart) {
+  const TriangleBvh part(shapes::overhanging_part(30));
+  CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(70, 50, 32)));
+  options.radial_depth = GetParam() == CopyMode::Contour ? 4.0 : 12.5;
+  options.axial_depth = 6.0;
+  const ToolPath path = copy_mill(part, options);
+  EXPECT_GT(statistics(path).cut_length, 200.0);
+  EXPECT_LE(deepest_gouge(part, path), options.tolerance);
+}
+
+TEST_P(CopyParts, NoGougeOnABlockWithUprightWalls) {
+  const TriangleBvh part(box_mesh(Vec3(15, 15, 0), Vec3(35, 30, 12)));
+  CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(50, 45, 16)));
+  options.radial_depth = 3.0;
+  options.axial_depth = 4.0;
+  const ToolPath path = copy_mill(part, options);
+  EXPECT_LE(deepest_gouge(part, path), options.tolerance);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, CopyParts,
+                         testing::Values(CopyMode::Scanning, CopyMode::ScanningUndercut,
+                                         CopyMode::Contour));
+
+TEST(CopyMilling, ScallopsOnAFlatAreAsPredicted) {
+  const TriangleBvh part(box_mesh(Vec3::Zero(), Vec3(20, 20, 5)));
+  CopyOptions options = paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(20, 20, 7)));
+  const ToolPath path = copy_mill(part, options);
+  double highest = 0.0;
+  for (double y = 4.0; y < 16.0; y += 0.05) {
+    double left = 1e9;  // on the part at (10, y): height that no ball has reached
+    along_cuts(path, [&](const Vec3& c) {
+      const double dx = c.x() - 10, dy = c.y() - y, rest = 9.0 - dx * dx - dy * dy;
+      if (rest > 0) left = std::min(left, c.z() - std::sqrt(rest) - 5.0);
+    });
+    highest = std::max(highest, left);
+  }
+  EXPECT_NEAR(highest, scallop_height(3.0, 2.0), 0.002);
+  EXPECT_NEAR(scallop_height(3.0, 2.0), 3.0 - std::sqrt(8.0), 1e-15);
+}
+
+TEST(CopyMilling, EveryLayerTakesAtMostTheAxialDepth) {
+  const TriangleBvh part(shapes::convex_part(20));
+  const CopyOptions options =
+      paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(50, 50, 30)));
+  const ToolPath path = copy_mill(part, options);
+  double lowest = options.stock.hi.z();
+  Vec3 from = path.start.tip;
+  for (const Move& move : path.moves) {  // levels go down in steps of 2 mm, never back up to cut
+    if (move.kind == MoveKind::Cut) {
+      const double z = std::min(from.z(), move.end.tip.z());
+      ASSERT_GE(z, lowest - 2.0 - 1e-9);
+      lowest = std::min(lowest, z);
+    }
+    from = move.end.tip;
+  }
+  EXPECT_NEAR(lowest, 0.0, 1e-9);
+}
+
+TEST(CopyMilling, TimesEveryMoveByItsFeed) {
+  const TriangleBvh part(shapes::convex_part(20));
+  CopyOptions options = paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(50, 50, 30)));
+  options.radial_depth = 10;
+  const ToolPath path = copy_mill(part, options);
+  const PathStatistics sum = statistics(path);
+  EXPECT_NEAR(sum.timed_seconds, (sum.cut_length + sum.link_length) / options.feed, 1e-6);
+  for (const Move& move : path.moves)
+    EXPECT_EQ(std::isnan(move.turns), move.kind == MoveKind::Rapid);
+}
+
+TEST(CopyMilling, BelowAnOverhangOnlyTheUndercutModeCuts) {
+  const TriangleMesh mesh = shapes::overhanging_part(40);
+  const TriangleBvh part(mesh);
+  CopyOptions options = paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(70, 50, 32)));
+  options.radial_depth = 10;
+  const auto covered = [&](CopyMode mode) {
+    options.mode = mode;
+    int under = 0;  // ball centres with part above them
+    along_cuts(copy_mill(part, options),
+               [&](const Vec3& c) { under += drop_ball(part, c.x(), c.y(), 0.01) > c.z() + 0.1; });
+    return under;
+  };
+  EXPECT_EQ(covered(CopyMode::Scanning), 0);
+  EXPECT_GT(covered(CopyMode::ScanningUndercut), 100);
+}
+
+TEST(LevelCurves, ACircleIsOneClosedCurveRoundItsInside) {
+  const PlanarGrid grid = planar_grid(Vec2(-6, -6), Vec2(6, 6), 0.5);
+  const auto curves = level_curves(
+      grid, [](const Vec2& p) { return p.norm() - 5.0; }, 1e-6);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_TRUE(curves[0].closed);
+  double area = 0.0;
+  const auto& points = curves[0].points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(points[i].norm(), 5.0, 1e-6);
+    const Vec2 &a = points[i], &b = points[(i + 1) % points.size()];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  EXPECT_NEAR(area, 25 * kPi, 0.5);  // positive: the inside is on the left
+}
+
+TEST(LevelCurves, SaddlesAndJumpsGiveClosedCurves) {
+  const PlanarGrid grid = planar_grid(Vec2(-6, -6), Vec2(6, 6), 0.37);
+  const auto jumpy = [](const Vec2& p) {
+    const int a = static_cast<int>(std::floor(p.x())) + static_cast<int>(std::floor(p.y()));
+    if (p.cwiseAbs().maxCoeff() > 5) return std::numeric_limits<double>::infinity();
+    return a % 2 == 0 ? -1.0 : 2.0;
+  };
+  for (const Polyline& curve : level_curves(grid, jumpy, 1e-3)) {
+    EXPECT_TRUE(curve.closed);
+    for (const Vec2& p : curve.points) EXPECT_GT(jumpy(p), 0.0);
+  }
+}
+
+TEST(LayerOf, CutsAndRaises) {
+  const std::vector<Vec2> hill{{0, 0}, {4, 8}, {8, 0}};
+  const auto runs = layer_of(hill, 6, 4);
+  ASSERT_EQ(runs.size(), 2u);
+  const std::vector<Vec2> left{{0, 4}, {2, 4}, {3, 6}}, right{{5, 6}, {6, 4}, {8, 4}};
+  EXPECT_EQ(runs[0], left);
+  EXPECT_EQ(runs[1], right);
+  EXPECT_TRUE(layer_of(hill, 0, -2).empty());
+}
+
+TEST(CopyMilling, BadInputIsNamed) {
+  const TriangleBvh part(shapes::convex_part(4));
+  const Box stock = box(Vec3::Zero(), Vec3(50, 50, 30));
+  const auto refused = [&](const CopyOptions& options) {
+    EXPECT_THROW(copy_mill(part, options), InputError);
+  };
+  CopyOptions options = paper_options(CopyMode::Scanning, stock);
+  options.radial_depth = 0;
+  refused(options);
+  options = paper_options(CopyMode::Contour, stock);
+  options.tolerance = 10;
+  refused(options);
+  refused(paper_options(CopyMode::Contour, Box()));
+}
+
+}  // namespace
+}  // namespace patchmill

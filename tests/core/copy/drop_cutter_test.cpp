@@ -1,0 +1,97 @@
+// The dropped ball: closed forms, and a slow reference that comes down step by step.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/copy/drop_cutter.h"
+
+#include "voxel/shapes.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace patchmill {
+namespace {
+
+// Comes down from above by the distance that is surely free, until the ball touches.
+double by_sphere_tracing(const TriangleBvh& bvh, double x, double y, double radius) {
+  double z = bvh.nodes()[0].hi.z() + radius + 1.0;
+  for (int i = 0; i < 100000 && z > bvh.nodes()[0].lo.z() - 2 * radius; ++i) {
+    const double gap = closest_point(bvh, Vec3(x, y, z)).distance - radius;
+    if (gap < 1e-12) return z;
+    z -= std::max(gap, 1e-13);
+  }
+  return kNoContact;
+}
+
+TEST(DropBall, RestsOnFaceEdgeAndCornerOfABox) {
+  const TriangleBvh bvh(box_mesh(Vec3(0, 0, 0), Vec3(10, 20, 5)));
+  EXPECT_DOUBLE_EQ(drop_ball(bvh, 4, 7, 3), 8.0);
+  EXPECT_DOUBLE_EQ(drop_ball(bvh, 12, 7, 3), 5.0 + std::sqrt(9.0 - 4.0));
+  EXPECT_DOUBLE_EQ(drop_ball(bvh, 11, 21.5, 3), 5.0 + std::sqrt(9.0 - 1.0 - 2.25));
+  EXPECT_EQ(drop_ball(bvh, 13.5, 7, 3), kNoContact);
+}
+
+RC_GTEST_PROP(DropBall, RestsOnAPlaneOfAnySlope, ()) {
+  const auto number = [](int lo, int hi) { return *rc::gen::inRange(lo * 100, hi * 100) / 100.0; };
+  const double sx = number(-3, 3), sy = number(-3, 3), radius = number(1, 5);
+  const auto at = [&](double x, double y) { return Vec3(x, y, sx * x + sy * y); };
+  TriangleMesh mesh;
+  mesh.vertices = {at(-100, -100), at(100, -100), at(100, 100), at(-100, 100)};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const double x = number(-9, 9), y = number(-9, 9);
+  const double exact = sx * x + sy * y + radius * std::sqrt(1 + sx * sx + sy * sy);
+  RC_ASSERT(std::abs(drop_ball(TriangleBvh(mesh), x, y, radius) - exact) < 1e-10);
+}
+
+RC_GTEST_PROP(DropBall, EqualsSphereTracingOnRandomTriangles, (unsigned seed)) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-6, 6);
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    const int n = static_cast<int>(mesh.vertices.size());
+    for (int k = 0; k < 3; ++k)
+      mesh.vertices.emplace_back(place(random), place(random), place(random));
+    mesh.triangles.push_back({n, n + 1, n + 2});
+  }
+  const TriangleBvh bvh(mesh);
+  const double radius = 0.5 + 0.25 * (seed % 8);
+  for (int i = 0; i < 5; ++i) {
+    const double x = place(random), y = place(random);
+    const double a = drop_ball(bvh, x, y, radius), b = by_sphere_tracing(bvh, x, y, radius);
+    if (b == kNoContact) {
+      RC_ASSERT(a == kNoContact);
+    } else {
+      RC_ASSERT(std::abs(a - b) < 1e-6);
+    }
+  }
+}
+
+TEST(DropBall, OnASphereItIsAnotherSphere) {
+  // a ball of R on a sphere of r: the centre is on a sphere of R + r, less the sag of the facets,
+  // which for a facet of edge e is at most (e / sqrt 3)^2 / 2 r along the normal
+  const TriangleMesh mesh = shapes::sphere(Vec3::Zero(), 10, 5);
+  const TriangleBvh bvh(mesh);
+  double edge = 0.0;
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k)
+      edge = std::max(edge, (mesh.vertices[t[k]] - mesh.vertices[t[(k + 1) % 3]]).norm());
+  const double sag = edge * edge / 3.0 / 20.0;
+  for (double x = -9; x <= 9; x += 1.5) {
+    const double exact = std::sqrt(13.0 * 13.0 - x * x - 4.0), z = drop_ball(bvh, x, 2.0, 3.0);
+    EXPECT_LE(z, exact + 1e-12);
+    EXPECT_GE(z, exact - 1.01 * sag * 13.0 / exact);
+  }
+}
+
+TEST(DropBall, ManyAtOnceAreTheSame) {
+  const TriangleBvh bvh(shapes::convex_part(20));
+  std::vector<Vec2> xy;
+  for (int i = 0; i < 500; ++i) xy.emplace_back(i % 50 + 0.3, i / 10.0);
+  const std::vector<double> z = drop_balls(bvh, xy, 3.0);
+  for (std::size_t i = 0; i < xy.size(); ++i)
+    EXPECT_EQ(z[i], drop_ball(bvh, xy[i].x(), xy[i].y(), 3.0));
+}
+
+}  // namespace
+}  // namespace patchmill

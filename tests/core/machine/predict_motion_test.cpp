@@ -1,0 +1,131 @@
+// Predicted passing times: closed forms in the limit of a short period, invariances, and what a
+// lock does.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/machine/predict_motion.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace patchmill {
+namespace {
+
+MotionModel machine(double period = 1e-3) {
+  MotionModel model;
+  model.velocity = 100.0;
+  model.acceleration = 2000.0;
+  model.period = period;
+  model.spindle_lock = true;
+  return model;
+}
+
+// A right-angled staircase of moves of the given lengths, all in the same number of turns per mm.
+ToolPath staircase(const std::vector<double>& lengths, double pitch, Pace pace) {
+  ToolPath path;
+  path.tool = {1.0, 2};
+  path.spindle.speed = 1000.0 / 60.0;
+  Vec3 at = Vec3::Zero();
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    at += lengths[i] * (i % 2 ? Vec3::UnitY() : Vec3::UnitX());
+    Move move;
+    move.end.tip = at;
+    move.kind = MoveKind::Cut;
+    move.pace = pace;
+    move.turns = lengths[i] / pitch;
+    move.tolerance = 0.0;
+    path.moves.push_back(move);
+  }
+  return path;
+}
+
+// Exact stops: with ever shorter periods the times go to the closed form, linearly in the period.
+TEST(Predict, ExactStopsConvergeToTheClosedForm) {
+  const std::vector<double> lengths{1.086, 0.5, 0.02, 3.0, 0.1, 1.086};
+  const ToolPath path = staircase(lengths, 0.5, Pace::Feed);
+  const double feed = 0.5 * path.spindle.speed;
+  double exact = 0.0;
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    exact += stop_to_stop_time(lengths[i], feed, 0.9 * 2000.0);  // a tenth is kept for the kink
+  double before = 1.0;
+  for (const double period : {1e-3, 2.5e-4, 6.25e-5}) {
+    const Prediction prediction = predict(path, machine(period));
+    ASSERT_TRUE(prediction.known);
+    const double error = std::abs(prediction.ends.back().time - exact);
+    EXPECT_LT(error, 1.5 * period * static_cast<double>(lengths.size()));
+    EXPECT_LT(error, before);
+    before = error;
+  }
+}
+
+TEST(Predict, EveryStopTakesWholePeriods) {
+  const ToolPath path = staircase({1.086, 0.5, 0.02, 3.0}, 0.5, Pace::Feed);
+  for (const Passing& end : predict(path, machine()).ends) {
+    const double periods = end.time / 1e-3;
+    EXPECT_NEAR(periods, std::round(periods), 1e-6);
+  }
+}
+
+TEST(Predict, JerkLimitedStopsUseTheirClosedForm) {
+  const std::vector<double> lengths{1.0, 2.0};
+  const ToolPath path = staircase(lengths, 0.5, Pace::Feed);
+  MotionModel model = machine();
+  model.jerk = 5e4;
+  const Prediction prediction = predict(path, model);
+  ASSERT_TRUE(prediction.known);
+  double time = 0.0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double t = stop_to_stop_time(lengths[i], 0.5 * path.spindle.speed, 0.9 * 2000.0, 5e4);
+    time += std::ceil(t / 1e-3) * 1e-3;
+    EXPECT_NEAR(prediction.ends[i].time, time, 1e-9);
+  }
+}
+
+TEST(Predict, SaysWhatItDoesNotKnow) {
+  MotionModel model = machine();
+  model.jerk = 5e4;
+  const Prediction prediction = predict(staircase({1.0}, 0.5, Pace::SpindleLocked), model);
+  EXPECT_FALSE(prediction.known);
+  EXPECT_FALSE(prediction.reason.empty());
+}
+
+// A long locked straight: whatever the speed error, so many turns between two marks on it.
+RC_GTEST_PROP(Predict, ALockTakesItsTurnsAtAnySpindleSpeed, (unsigned s, unsigned k)) {
+  const double ratio = 0.9 + 0.2 * (s % 100) / 100.0, pitch = 0.3 + 0.01 * (k % 100);
+  ToolPath path = staircase({6.0}, pitch, Pace::SpindleLocked);
+  for (int i = 0; i < 10; ++i) {
+    Move next = path.moves.back();
+    next.end.tip += 0.5 * Vec3::UnitX();
+    next.turns = 0.5 / pitch;
+    next.tolerance = 1e-4;
+    path.moves.push_back(next);
+  }
+  path.moves[0].tolerance = 1e-4;
+  const Prediction prediction = predict(path, machine(), ratio);
+  RC_ASSERT(prediction.known);
+  const auto& ends = prediction.ends;
+  // once locked it cannot be off by more than what one period's acceleration moves it
+  const double chatter = 2000.0 * 1e-3 * 1e-3 / pitch;
+  for (std::size_t i = 2; i + 1 < ends.size(); ++i)
+    RC_ASSERT(std::abs(ends[i].turns - ends[1].turns - 0.5 / pitch * (i - 1.0)) < chatter);
+}
+
+TEST(Predict, AFeedDoesNotFollowTheSpindle) {
+  const ToolPath path = staircase({2.0, 2.0}, 0.5, Pace::Feed);
+  const Prediction nominal = predict(path, machine()), fast = predict(path, machine(), 1.01);
+  EXPECT_DOUBLE_EQ(nominal.ends[1].time, fast.ends[1].time);
+  EXPECT_NEAR(fast.ends[1].turns, 1.01 * nominal.ends[1].turns, 1e-9);
+}
+
+// Turning and moving the path as a whole by axis swaps changes nothing.
+TEST(Predict, DoesNotCareWhichAxisIsWhich) {
+  ToolPath path = staircase({1.0, 0.7, 0.3, 1.2}, 0.5, Pace::SpindleLocked);
+  ToolPath swapped = path;
+  for (Move& move : swapped.moves)
+    move.end.tip = Vec3(move.end.tip.z(), move.end.tip.x(), move.end.tip.y());
+  const Prediction a = predict(path, machine()), b = predict(swapped, machine());
+  for (std::size_t i = 0; i < a.ends.size(); ++i) EXPECT_DOUBLE_EQ(a.ends[i].time, b.ends[i].time);
+}
+
+}  // namespace
+}  // namespace patchmill

@@ -1,0 +1,160 @@
+// The verdict on a plan, and the start phase.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/sync/verdict.h"
+
+#include "ball_surface.h"
+#include "core/geometry/error.h"
+#include "core/sync/calibration.h"
+#include "core/sync/paced_path.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace patchmill {
+namespace {
+
+const BallEndMill kTool{1.0, 2};
+const Decimals kDecimals(4);
+const Angle kPeriod = Angle::degrees(180);
+
+struct Plan {
+  Dimples dimples = dimples_on({25.0, Vec3::Zero()}, 9.0, -8.0, 6);
+  PacedRule rule;
+  MotionModel model;
+  Spindle spindle{1000.0 / 60.0, SpindleSense::M3};
+
+  Plan() {
+    rule.safe_height = 40.0;
+    rule.clearance_height = 45.0;
+    model.velocity = 100.0;
+    model.acceleration = 2000.0;
+    model.spindle_lock = true;
+  }
+  ToolPath at(const Spindle& s) const {
+    return paced_path(dimples, kTool, s, rule, model, kDecimals).path;
+  }
+  std::vector<Angle> wanted() const { return wanted_phases(dimples, rule.phase, spindle); }
+  Verdict verdict(double slack = 0.0) const {
+    return judge([this](const Spindle& s) { return at(s); }, spindle, model, wanted(), kPeriod, {},
+                 slack);
+  }
+};
+
+TEST(Verdict, ALockHoldsAndDoesNotMindTheSpindle) {
+  const Plan plan;
+  const Verdict verdict = plan.verdict(0.01);
+  EXPECT_EQ(verdict.holding, Holding::Holds) << verdict.sentence;
+  EXPECT_LT(verdict.largest.degrees(), 9.0);
+}
+
+TEST(Verdict, AFeedDoesNotHoldAOnePercentError) {
+  Plan plan;
+  plan.rule.pace = Pace::Feed;
+  EXPECT_NE(plan.verdict(0.01).holding, Holding::Holds);
+}
+
+TEST(Verdict, NamesASpeedThatHolds) {
+  Plan plan;
+  plan.model.velocity = 12.0;  // one tooth per dimple at 1000 rpm needs more than 16 mm/s
+  const Verdict verdict = plan.verdict();
+  ASSERT_EQ(verdict.holding, Holding::HoldsUpTo) << verdict.sentence;
+  EXPECT_LT(verdict.speed, plan.spindle.speed);
+  EXPECT_GT(verdict.speed, 0.5 * plan.spindle.speed);
+  EXPECT_NE(verdict.sentence.find(fmt::format("{:.0f} rpm", std::floor(60.0 * verdict.speed))),
+            std::string::npos);
+  plan.spindle.speed = verdict.speed;
+  EXPECT_EQ(plan.verdict().holding, Holding::Holds);
+  plan.spindle.speed = 1.05 * verdict.speed;
+  EXPECT_NE(plan.verdict().holding, Holding::Holds);
+}
+
+TEST(Verdict, SaysWhenNothingHelps) {
+  Plan plan;
+  plan.model.spindle_lock = false;
+  const Verdict verdict = plan.verdict();
+  EXPECT_EQ(verdict.holding, Holding::Cannot);
+  EXPECT_NE(verdict.sentence.find("SpindleLock"), std::string::npos);
+}
+
+TEST(Verdict, IsUnknownWhereTheModelIs) {
+  Plan plan;
+  plan.model.jerk = 1e5;
+  EXPECT_EQ(plan.verdict().holding, Holding::Unknown);
+}
+
+TEST(PredictedPhase, DoesNotDependOnTheStartPhase) {
+  const Plan plan;
+  const ToolPath path = plan.at(plan.spindle);
+  std::vector<Angle> turned = plan.wanted();
+  for (Angle& w : turned) w += Angle::degrees(47.0);
+  const PredictedPhase a = predicted_phase(path, plan.model, plan.wanted(), kPeriod);
+  const PredictedPhase b = predicted_phase(path, plan.model, turned, kPeriod);
+  EXPECT_NEAR(a.rms.degrees(), b.rms.degrees(), 1e-9);
+  EXPECT_NEAR(a.largest.degrees(), b.largest.degrees(), 1e-9);
+}
+
+TEST(PredictedPhase, RefusesAPathOfOtherDimples) {
+  const Plan plan;
+  EXPECT_THROW(predicted_phase(plan.at(plan.spindle), plan.model, {Angle()}, kPeriod), InputError);
+}
+
+TEST(Calibration, SideHoldsEveryPhase) {
+  EXPECT_EQ(calibration_side(Angle::degrees(180), Angle::degrees(1)), 14);
+  EXPECT_EQ(calibration_side(Angle::degrees(360), Angle::degrees(1)), 20);
+  EXPECT_THROW(calibration_side(Angle::degrees(180), Angle::degrees(0)), InputError);
+  EXPECT_THROW(calibration_side(Angle::degrees(180), Angle::degrees(30)), InputError);
+}
+
+// Simulated patch: dimple n is off by x + n step; the best mark is the one least off.
+RC_GTEST_PROP(Calibration, BestDimpleGivesTheStartPhaseToHalfAStep, (unsigned seed, unsigned n)) {
+  const Angle period = Angle::degrees(360.0 / (1 + n % 6)), step = Angle::degrees(1);
+  const Angle x = period * ((seed % 100003) / 100003.0);
+  const int side = calibration_side(period, step);
+  std::int64_t best = 0;
+  double least = 1e9;
+  for (std::int64_t k = 0; k < side * side; ++k) {
+    const double off =
+        std::abs((x + step * static_cast<double>(k)).wrapped_signed(period).radians());
+    if (off < least) least = off, best = k;
+  }
+  const Angle found = start_phase(best, step, period);
+  RC_ASSERT(std::abs((found - x).wrapped_signed(period).degrees()) <= 0.5 + 1e-9);
+}
+
+TEST(Calibration, CorrectionTurnsTheSpindleOnByWhatIsMissing) {
+  const Plan plan;
+  const ToolPath path = plan.at(plan.spindle);
+  const ToolPath corrected = with_start_phase(path, Angle::degrees(50), kPeriod, kDecimals);
+  const auto until_first = [](const ToolPath& p) {
+    double turns = 0.0;
+    for (const Move& move : p.moves) {
+      if (move.kind != MoveKind::Rapid) turns += move.turns;
+      if (move.dimple != kNoDimple) break;
+    }
+    return turns;
+  };
+  EXPECT_NEAR(until_first(corrected) - until_first(path), 130.0 / 360.0, 1e-12);
+  EXPECT_EQ(corrected.moves.size(), path.moves.size());
+  EXPECT_EQ(until_first(with_start_phase(path, Angle(), kPeriod, kDecimals)), until_first(path));
+  EXPECT_THROW(with_start_phase(path, kPeriod, kPeriod, kDecimals), InputError);
+  EXPECT_THROW(with_start_phase(ToolPath{}, Angle::degrees(1), kPeriod, kDecimals), InputError);
+}
+
+TEST(Calibration, AFeedPacedPathBeginsFurtherBack) {
+  Plan plan;
+  plan.rule.pace = Pace::Feed;
+  const ToolPath path = plan.at(plan.spindle);
+  const ToolPath corrected = with_start_phase(path, Angle::degrees(120), kPeriod, kDecimals);
+  const double feed = duration(path.moves[2], path.spindle);
+  const double before = (path.moves[2].end.tip - path.moves[1].end.tip).norm() / feed;
+  const double after = (corrected.moves[2].end.tip - corrected.moves[1].end.tip).norm() /
+                       duration(corrected.moves[2], corrected.spindle);
+  EXPECT_NEAR(before, after, 1e-9);  // the feed stays
+  EXPECT_NEAR(corrected.moves[2].turns - path.moves[2].turns, 60.0 / 360.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace patchmill
