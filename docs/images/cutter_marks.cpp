@@ -84,7 +84,7 @@ void experiment() {
     return samples;
   };
   const SurfaceGrid grid =
-      curved_grid(flat_grid(TexturePlane{}, {-28.0, -28.0}, {-21.0, -21.0}, 0.0175), sampler);
+      curved_grid(flat_grid(TexturePlane{}, {-13.0, -13.0}, {-6.0, -6.0}, 0.0175), sampler);
   write("experiment", simulate_marks(motion, {tool, {}, {}}, grid, {0.08}).relief);
 }
 

@@ -45,7 +45,7 @@ def main(build):
         pictures.save(pictures.depth_map(square, step, origin, "square array, R 1, f 0.5, p 0.5"),
                       HERE / "cutter-marks-depth.png")
         experiment, fine, corner = read(folder / "experiment.relief")
-        pictures.save(pictures.depth_map(experiment, fine, corner, "Xu & Sasahara's path, stock 80 µm"),
+        pictures.save(pictures.depth_map(experiment, fine, corner, "Xu & Sasahara's path"),
                       HERE / "cutter-marks-xu2016.png")
         runout = read(folder / "runout.relief")[0]
         pictures.save(pictures.cross_section(runout, step, (0.2, 2.0), (5.3, 2.0), origin,
