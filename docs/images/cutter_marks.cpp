@@ -4,6 +4,9 @@
 #include "core/marks/alignment.h"
 #include "core/marks/dimple_marks.h"
 #include "core/marks/simulate.h"
+#include "core/sync/constant_feed.h"
+#include "core/sync/contact_azimuth.h"
+#include "sync/bezier_dimples.h"
 
 #include <cmath>
 #include <cstdio>
@@ -64,11 +67,33 @@ void array(const std::string& name_of_it, double cross_feed, Shift&& shift,
   write(name_of_it, relief);
 }
 
+/// A corner of the experiment of Xu & Sasahara 2016: Tables 1 and 2, constant feed, vertical tool.
+void experiment() {
+  Dimples dimples = table1_dimples(14, 8, 8);
+  mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
+  const BallEndMill tool{1.0, 2};
+  const Spindle spindle{1000.0 / 60.0, SpindleSense::M3};
+  const ConstantFeed rule{434.413 / 60.0, {FluteChoice::Same, 5.0, {}}, 40.0, 42.0};
+  MotionOptions options;
+  options.wanted_phase = wanted_phases(dimples, rule.phase, spindle);
+  const ToolMotion motion =
+      motion_of(constant_feed_path(dimples, tool, spindle, rule, Decimals(3)), options);
+  const SurfaceSampler sampler = [](const std::vector<Vec2>& places) {
+    std::vector<SurfaceSample> samples;
+    for (const Vec2& p : places) samples.push_back({table1_point(p.x(), p.y()), DimpleState::Cut});
+    return samples;
+  };
+  const SurfaceGrid grid =
+      curved_grid(flat_grid(TexturePlane{}, {-13.0, -13.0}, {-6.0, -6.0}, 0.0175), sampler);
+  write("experiment", simulate_marks(motion, {tool, {}, {}}, grid, {0.08}).relief);
+}
+
 }  // namespace
 
 int main(int, char** arguments) {
   const std::string to = arguments[1];
   folder = &to;
+  experiment();
   array("square", 0.5, [](int) { return 0.0; });
   array("staggered", 0.5, [](int) { return 0.5; });
   array("drifting", 0.5, [](int j) { return 0.06 * j; });

@@ -11,9 +11,9 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-sys.path.insert(0, str(ROOT / "src"))
+sys.path.insert(0, str(ROOT / "src/patchmill"))  # the compiled part of the package is not needed
 
-from patchmill import relief_pictures as pictures  # noqa: E402
+import relief_pictures as pictures  # noqa: E402
 
 
 def read(path):
@@ -25,9 +25,10 @@ def read(path):
 
 def simulate(build, folder):
     program = folder / "cutter_marks"
-    subprocess.run(["c++", "-std=c++17", "-O2", f"-I{ROOT / 'src'}", "-isystem",
-                    "/usr/include/eigen3", str(HERE / "cutter_marks.cpp"), "-o", str(program),
-                    str(build / "src/core/libpatchmill_core.a"), "-ltbb", "-lfmt"], check=True)
+    includes = [f"-I{ROOT / 'src'}", f"-I{ROOT / 'tests/core'}", "-isystem", "/usr/include/eigen3"]
+    libraries = [str(build / "src/core/libpatchmill_core.a"), "-ltbb", "-lfmt"]
+    subprocess.run(["c++", "-std=c++17", "-O2", *includes, str(HERE / "cutter_marks.cpp"),
+                    "-o", str(program), *libraries], check=True)
     subprocess.run([str(program), str(folder)], check=True)
 
 
@@ -43,6 +44,9 @@ def main(build):
         square = reliefs[0][0]
         pictures.save(pictures.depth_map(square, step, origin, "square array, R 1, f 0.5, p 0.5"),
                       HERE / "cutter-marks-depth.png")
+        experiment, fine, corner = read(folder / "experiment.relief")
+        pictures.save(pictures.depth_map(experiment, fine, corner, "Xu & Sasahara's path"),
+                      HERE / "cutter-marks-xu2016.png")
         runout = read(folder / "runout.relief")[0]
         pictures.save(pictures.cross_section(runout, step, (0.2, 2.0), (5.3, 2.0), origin,
                                              "one flute 5 µm short: two depths along a row",

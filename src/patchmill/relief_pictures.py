@@ -3,7 +3,7 @@
 """Pictures of a machined relief from a height array, rendered without a display.
 
 All functions take `height`, an array of shape (rows, columns): deviation from the base in mm, NaN
-where there is no surface; row 0 is the lowest y. `step` is the distance of cells in mm, `origin` the
+where there is no surface; row 0 is the lowest y. `step`: distance of cells in mm, `origin`: the
 plane coordinates (x, y) of cell [0, 0] in mm. They return a matplotlib Figure; `save` writes it as
 PNG. Raises ValueError for arrays that are not two-dimensional or hold no finite height.
 """

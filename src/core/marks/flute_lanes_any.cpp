@@ -2,4 +2,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #define PATCHMILL_LANES 4
 #define PATCHMILL_ISA any_processor
-#include "core/marks/flute_lanes.h"
+#include "core/marks/flute_rows.h"

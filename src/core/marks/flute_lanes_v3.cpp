@@ -7,5 +7,5 @@
 #pragma GCC target("arch=x86-64-v3")
 #define PATCHMILL_LANES 8
 #define PATCHMILL_ISA x86_64_v3
-#include "core/marks/flute_lanes.h"
+#include "core/marks/flute_rows.h"
 #endif

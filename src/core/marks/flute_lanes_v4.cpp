@@ -7,5 +7,5 @@
 #pragma GCC target("arch=x86-64-v4")
 #define PATCHMILL_LANES 16
 #define PATCHMILL_ISA x86_64_v4
-#include "core/marks/flute_lanes.h"
+#include "core/marks/flute_rows.h"
 #endif
