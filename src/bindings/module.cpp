@@ -49,4 +49,5 @@ PYBIND11_MODULE(_patchmill, m) {
   patchmill::bind_brep(m);
   patchmill::bind_sync(m);
   patchmill::bind_machine(m);
+  patchmill::bind_machine_model(m);
 }

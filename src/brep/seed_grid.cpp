@@ -10,7 +10,8 @@ namespace {
 
 // Cells are made flat enough to find every root, and flatter still where that takes few cells: then
 // Newton's method needs a step less.
-constexpr int kMostCells = 512, kFewCells = 64;
+// Along a fold cells are never flat, so doubling ends somewhere.
+constexpr int kMostCells = 512, kMostDoubled = 128, kFewCells = 64;
 constexpr double kFlat = 0.02, kFlatter = 0.005, kMargin = 0.15;
 
 double cross(const Vec2& a, const Vec2& b) {
@@ -42,7 +43,7 @@ SeedGrid::SeedGrid(const std::function<Vec2(double, double)>& plan, const Parame
     : box_(box), nu_(std::clamp(u_cells, 2, kMostCells)), nv_(std::clamp(v_cells, 2, kMostCells)) {
   sample(plan);
   double bend = most_bend(plan);
-  while (bend > kFlat ? std::min(nu_, nv_) < kMostCells
+  while (bend > kFlat ? std::max(nu_, nv_) < kMostDoubled
                       : bend > kFlatter && std::max(nu_, nv_) < kFewCells) {
     nu_ = std::min(kMostCells, 2 * nu_);
     nv_ = std::min(kMostCells, 2 * nv_);

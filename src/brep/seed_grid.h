@@ -23,7 +23,7 @@ struct Seed {
 class SeedGrid {
  public:
   /// `plan(u, v)`: where the surface point lies in the texture plane, along the projection
-  /// direction. `u_cells`, `v_cells`: a first guess of how many cells it takes; doubled (up to 512)
+  /// direction. `u_cells`, `v_cells`: a first guess of how many cells it takes; doubled (up to 128)
   /// until the cells are flat: middles within 2 % of the cell's diagonal from where bilinear
   /// interpolation puts them, and within 0.5 % as long as that takes no more than 64 cells a side.
   SeedGrid(const std::function<Vec2(double, double)>& plan, const ParameterBox& box, int u_cells,

@@ -12,7 +12,7 @@ import FreeCAD
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import host
+from patchmill import host, strategies
 from patchmill.texture_plan import TextureInput, plan_texture
 from patchmill.translate import QT_TRANSLATE_NOOP
 
@@ -93,6 +93,22 @@ PROPERTIES = [
         "Patches with fewer dimples than this on the faces are left out",
         0,
     ),
+    (
+        "App::PropertyEnumeration",
+        "Strategy",
+        "Phase",
+        "How the spindle's phase is kept",
+        list(strategies.NAMES),
+    ),
+    ("App::PropertyString", "Machine", "Phase", "Name of the machine file; empty: unknown", ""),
+    (
+        "App::PropertyBool",
+        "PostUnheld",
+        "Phase",
+        "Post even if the machine cannot hold the phase",
+        False,
+    ),
+    ("App::PropertyLength", "Lift", "Phase", "Clearance of paced paths between rows", 0.1),
     ("App::PropertyBool", "SameFlute", "Phase", "One flute makes all dimples", True),
     ("App::PropertyFloat", "ExtraTurns", "Phase", "Spindle turns added between dimples", 5.0),
     ("App::PropertyAngle", "PhaseStep", "Phase", "Angle added per dimple, for calibration", 0.0),
@@ -115,6 +131,7 @@ RESULTS = [
     ("App::PropertyInteger", "DimpleCount", "Result", "Dimples that are milled"),
     ("App::PropertyString", "LeftOut", "Result", "Lattice points left out, by reason"),
     ("App::PropertyFloat", "TurnsPerDimple", "Result", "Mean spindle turns from dimple to dimple"),
+    ("App::PropertyString", "Verdict", "Result", "Whether the machine can hold the phase"),
     ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves but rapids, in seconds"),
 ]
 
@@ -125,6 +142,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
     SURFACE, as _patchmill.PatchSurface does, and its own OWN_PROPERTIES."""
 
     SURFACE = None
+    CALIBRATING = False
     OWN_PROPERTIES = []
     planned = None
     error = None
@@ -163,12 +181,11 @@ class ObjectTexture(host.PathOp.ObjectOp):
     def opExecute(self, obj):
         try:
             self.planned = plan_texture(self.texture_input(obj))
-            text = core.freecad_text(self.planned.path, self.planned.feed, obj.Decimals)
         except InputError as error:
             self.error = error
             self.planned = None
             raise
-        self.commandlist.extend(host.Path.Path(text).Commands)
+        self.commandlist.extend(host.Path.Path(self.planned.pacing.text).Commands)
         self._show_results(obj)
 
     def _show_results(self, obj):
@@ -178,6 +195,8 @@ class ObjectTexture(host.PathOp.ObjectOp):
         obj.LeftOut = ", ".join(
             "%s: %d" % (name, n) for name, n in counts.items() if n and name != "cut"
         )
+        verdict = self.planned.pacing.verdict
+        obj.Verdict = verdict.sentence if verdict else "Unknown: no machine is named."
         obj.TurnsPerDimple = statistics["cut_turns"] / max(1, counts["cut"])
         obj.MachiningTime = statistics["timed_seconds"]
 
@@ -221,6 +240,10 @@ class ObjectTexture(host.PathOp.ObjectOp):
             extra_turns=obj.ExtraTurns,
             phase_step=obj.PhaseStep.Value,
             decimals=obj.Decimals,
+            strategy=obj.Strategy,
+            machine=obj.Machine,
+            lift=obj.Lift.Value,
+            calibrating=self.CALIBRATING,
         )
 
 

@@ -11,6 +11,8 @@ from math import radians
 import _patchmill as core
 from _patchmill import InputError
 
+from patchmill import machines, strategies
+
 
 @dataclass
 class TextureInput:
@@ -41,6 +43,10 @@ class TextureInput:
     extra_turns: float = 5.0
     phase_step: float = 0.0
     decimals: int = 3
+    strategy: str = strategies.CONSTANT
+    machine: str = ""  # key of a machine file; '' for none
+    lift: float = 0.1  # clearance of paced paths between rows [mm]
+    calibrating: bool = False  # the machine's start phase is being looked for, not applied
 
 
 @dataclass
@@ -51,14 +57,29 @@ class PlannedTexture:
     plane: core.TexturePlane
     division: core.PatchDivision
     dimples: core.Dimples
-    path: core.ToolPath
     rule: core.PhaseRule
-    feed: float  # as posted [mm/s]
+    pacing: strategies.Pacing
+    machine: machines.Machine = None
     counts: dict = field(default_factory=dict)
 
+    @property
+    def path(self):
+        return self.pacing.path
+
+    @property
+    def feed(self):
+        """As posted [mm/s]."""
+        return self.pacing.feed
+
     def phase_errors(self, path=None):
-        """Phase errors [rad] of `path` (the planned one if None), as from _patchmill.phase_errors."""
+        """Phase errors [rad] of `path` (the planned one if None) if the machine does as it is told."""
         return core.phase_errors(path or self.path, self.dimples, self.rule)
+
+    def predicted_errors(self):
+        """Phase errors [rad] that the machine's motion model predicts, or None without a machine."""
+        if self.machine is None:
+            return None
+        return core.predicted_phase(self.path, self.machine.model, self.dimples, self.rule)
 
 
 VERTICAL = (0.0, 0.0, 1.0)
@@ -120,17 +141,8 @@ def plan_texture(given, progress=None):
     core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
     core.drop_slivers(dimples, given.minimum_dimples)
     rule = core.PhaseRule(given.same_flute, given.extra_turns, radians(given.phase_step))
-    path = core.constant_feed_path(
-        dimples,
-        given.tool,
-        given.spindle,
-        given.feed,
-        rule,
-        given.safe_height,
-        given.clearance_height,
-        given.decimals,
-    )
-    feed = core.posted_feed(given.feed, given.decimals)
+    machine = machines.load(given.machine) if given.machine else None
+    pacing = strategies.make(given, dimples, rule, machine)
     return PlannedTexture(
-        given, plane, division, dimples, path, rule, feed, dict(dimples.counts())
+        given, plane, division, dimples, rule, pacing, machine, dict(dimples.counts())
     )

@@ -90,9 +90,12 @@ def distance(face, point):
 
 def texture(face):
     """A texture of some hundred dimples with a tool to match."""
-    box = face.BoundBox
-    spacing = min((box.XLength * box.YLength) ** 0.5 / 20.0, min(box.XLength, box.YLength) / 7.0)
-    height = box.ZMax + 100.0 * spacing + 1.0
+    low, high = core.FaceSampler(
+        [face.exportBrepToString()], core.texture_plane((0, 0, 0), (0, 0, -1), (1, 0, 0)), 1.0
+    ).extent()
+    width, height = high - low
+    spacing = min((face.Area / 400.0) ** 0.5, min(width, height) / 4.0)
+    height = face.BoundBox.ZMax + 100.0 * spacing + 1.0
     given = TextureInput(
         breps=[face.exportBrepToString()],
         tool=core.BallEndMill(spacing, 2),
@@ -101,7 +104,7 @@ def texture(face):
         safe_height=height,
         clearance_height=height + 1.0,
         spacing=spacing,
-        patch_side=5,
+        patch_side=3,
         steepest_slope=60.0,
         minimum_tilt=0.01,
         decimals=6,

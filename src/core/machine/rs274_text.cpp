@@ -11,14 +11,16 @@
 namespace patchmill {
 namespace {
 
-constexpr double kPitchUnit = 1e-7;  // of the K word, mm per turn
+constexpr double kPitchUnit = 1e-6;  // of the K word, mm per turn; FreeCAD saves six decimals
 
 class Writer {
  public:
-  Writer(const ToolPath& path, const MotionModel& model, const Decimals& decimals, FeedWord feed)
+  Writer(const ToolPath& path, const MotionModel& model, const Decimals& decimals, FeedWord feed,
+         double feed_unit)
       : path_(path),
         decimals_(decimals),
         feed_(feed),
+        feed_unit_(feed_unit),
         tolerances_(posted_tolerances(path, model)),
         pitches_(locked_pitches(path, corners(path, model))) {}
 
@@ -26,8 +28,22 @@ class Writer {
     line("G21 G90 G17 G40 G94");
     line(fmt::format("S{:.3f} {}", path_.spindle.speed * 60.0,
                      path_.spindle.sense == SpindleSense::M3 ? "M3" : "M4"));
+    line("G0 " + words(path_.start.tip));
+    moves();
+    if (inverse_) line("G94");
+    line("M5");
+    line("M2");
+    return std::move(result_);
+  }
+
+  Rs274Text write_moves() {
+    moves();
+    return std::move(result_);
+  }
+
+ private:
+  void moves() {
     Vec3 from = path_.start.tip;
-    line("G0 " + words(from));
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const Move& move = path_.moves[i];
       const double length = (move.end.tip - from).norm();
@@ -35,13 +51,7 @@ class Writer {
       if (length > 0.0) one_move(i, length);
       result_.lines.push_back(count_);
     }
-    if (inverse_) line("G94");
-    line("M5");
-    line("M2");
-    return std::move(result_);
   }
-
- private:
   void line(const std::string& text) {
     result_.text += text + "\n";
     ++count_;
@@ -71,13 +81,14 @@ class Writer {
     tolerance(tolerances_[i]);
     if (move.pace == Pace::SpindleLocked) {
       inverse(false);
-      line(fmt::format("G33 {} K{:.7f}", words(move.end.tip), posted_pitch(i, length)));
+      line(fmt::format("G33 {} K{:.6f}", words(move.end.tip), posted_pitch(i, length)));
       return;
     }
     const double minutes = duration(move, path_.spindle) / 60.0;
     inverse(feed_ == FeedWord::InverseTime);
-    line(fmt::format("G1 {} F{:.6f}", words(move.end.tip),
-                     feed_ == FeedWord::InverseTime ? 1.0 / minutes : length / minutes));
+    line(fmt::format(
+        "G1 {} F{:.6f}", words(move.end.tip),
+        feed_ == FeedWord::InverseTime ? 1.0 / minutes : length / minutes / feed_unit_));
   }
   /// K on its decimals; the turns that rounding adds or takes are owed to the next move.
   double posted_pitch(std::size_t i, double length) {
@@ -90,6 +101,7 @@ class Writer {
   const ToolPath& path_;
   const Decimals& decimals_;
   FeedWord feed_;
+  double feed_unit_;  // of the F word, mm/min
   std::vector<double> tolerances_, pitches_;
   std::string tolerance_;
   bool inverse_ = false;
@@ -102,7 +114,12 @@ class Writer {
 
 Rs274Text rs274_text(const ToolPath& path, const MotionModel& model, const Decimals& decimals,
                      FeedWord feed) {
-  return Writer(path, model, decimals, feed).write();
+  return Writer(path, model, decimals, feed, 1.0).write();
+}
+
+std::string freecad_paced_text(const ToolPath& path, const MotionModel& model,
+                               const Decimals& decimals) {
+  return Writer(path, model, decimals, FeedWord::PerMinute, 60.0).write_moves().text;
 }
 
 }  // namespace patchmill

@@ -24,9 +24,14 @@ struct Rs274Text {
 };
 
 /// The program, from "G21" to "M2". Coordinates are rounded to `decimals` (a path that is on them
-/// keeps its lengths); K, with 7 decimals, carries its rounding on from move to move. Errors: as
+/// keeps its lengths); K, with 6 decimals, carries its rounding on from move to move. Errors: as
 /// locked_pitches; InputError naming Turns if a feed-paced move has none.
 Rs274Text rs274_text(const ToolPath& path, const MotionModel& model, const Decimals& decimals,
                      FeedWord feed = FeedWord::PerMinute);
+
+/// The moves alone, with their G61, G64 and G33 words, as text for FreeCAD's Path.Path(text), whose F is
+/// mm/s. Errors: as rs274_text.
+std::string freecad_paced_text(const ToolPath& path, const MotionModel& model,
+                               const Decimals& decimals);
 
 }  // namespace patchmill

@@ -1,0 +1,158 @@
+// Motion model, paced paths, verdicts and calibration for Python. Angles in radians.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/bindings.h"
+#include "core/machine/motion_model.h"
+#include "core/machine/rs274_text.h"
+#include "core/sync/calibration.h"
+#include "core/sync/constant_feed.h"
+#include "core/sync/fit_stops.h"
+#include "core/sync/paced_path.h"
+#include "core/sync/verdict.h"
+
+namespace patchmill {
+namespace {
+
+MotionModel model_of(double velocity, double acceleration, double jerk, double period,
+                     double tolerance, bool spindle_lock) {
+  const MotionModel model{velocity, acceleration, jerk, period, tolerance, spindle_lock};
+  require_valid(model);
+  return model;
+}
+
+PacedRule rule_of(bool locked, const PhaseRule& phase, double lift, double safe_height,
+                  double clearance_height) {
+  PacedRule rule;
+  rule.pace = locked ? Pace::SpindleLocked : Pace::Feed;
+  rule.phase = phase;
+  rule.lift = lift;
+  rule.safe_height = safe_height;
+  rule.clearance_height = clearance_height;
+  return rule;
+}
+
+py::dict predicted_dict(const ToolPath& path, const MotionModel& model, const Dimples& dimples,
+                        const PhaseRule& rule) {
+  PredictedPhase phase;
+  {
+    const py::gil_scoped_release release;
+    phase = predicted_phase(path, model, wanted_phases(dimples, rule, path.spindle),
+                            phase_period(path.tool.flutes, rule.flutes));
+  }
+  py::dict d;
+  d["known"] = phase.known;
+  d["reason"] = phase.reason;
+  d["dimple"] = column_of<std::int32_t>(phase.errors, [](const PhaseError& e) { return e.dimple; });
+  d["error"] =
+      column_of<double>(phase.errors, [](const PhaseError& e) { return e.error.radians(); });
+  d["turns"] = column_of<double>(phase.errors, [](const PhaseError& e) { return e.turns; });
+  d["rms"] = phase.rms.radians();
+  d["largest"] = phase.largest.radians();
+  return d;
+}
+
+const char* name(Holding holding) {
+  switch (holding) {
+    case Holding::Holds:
+      return "holds";
+    case Holding::HoldsUpTo:
+      return "holds up to";
+    case Holding::Cannot:
+      return "cannot";
+    case Holding::Unknown:
+      return "unknown";
+  }
+  return "?";
+}
+
+Verdict judge_plan(const std::function<ToolPath(const Spindle&)>& plan, const Dimples& dimples,
+                   const BallEndMill& tool, const Spindle& spindle, const PhaseRule& rule,
+                   const MotionModel& model) {
+  return judge(plan, spindle, model, wanted_phases(dimples, rule, spindle),
+               phase_period(tool.flutes, rule.flutes));
+}
+
+void bind_paths(py::module_& m) {
+  py::class_<PacedRule>(m, "PacedRule", "Spindle-locked or feed-paced, with lift and heights [mm].")
+      .def(py::init(&rule_of), py::arg("locked"), py::arg("phase"), py::arg("lift"),
+           py::arg("safe_height"), py::arg("clearance_height"));
+  m.def(
+      "paced_path",
+      [](const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
+         const PacedRule& rule, const MotionModel& model, int decimals) {
+        PacedPath made = paced_path(dimples, tool, spindle, rule, model, Decimals(decimals));
+        return std::make_pair(std::move(made.path), made.clearance);
+      },
+      py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("rule"), py::arg("model"),
+      py::arg("decimals"), py::call_guard<py::gil_scoped_release>(),
+      "(path, least height of the ball between rows when a tooth comes by [mm]).");
+  m.def(
+      "fit_to_stops",
+      [](const ToolPath& path, const MotionModel& model, double feed, const PhaseRule& rule,
+         int decimals) {
+        const double period = phase_period(path.tool.flutes, rule.flutes).turns();
+        return fit_to_stops(path, model, feed, period, Decimals(decimals)).path;
+      },
+      py::arg("path"), py::arg("model"), py::arg("feed"), py::arg("rule"), py::arg("decimals"),
+      py::call_guard<py::gil_scoped_release>(),
+      "A constant-feed path with its legs fitted to the machine's stops; `feed` [mm/s].");
+  m.def(
+      "freecad_paced_text",
+      [](const ToolPath& path, const MotionModel& model, int decimals) {
+        return freecad_paced_text(path, model, Decimals(decimals));
+      },
+      py::arg("path"), py::arg("model"), py::arg("decimals"),
+      "A paced path as text for Path.Path(text): G0, G1, G33, G61, G64.");
+}
+
+void bind_verdict(py::module_& m) {
+  py::class_<Verdict>(m, "Verdict", "Whether a machine can hold a plan.")
+      .def_property_readonly("holding", [](const Verdict& v) { return name(v.holding); })
+      .def_readonly("speed", &Verdict::speed, "Up to which it holds [revolutions per second].")
+      .def_readonly("sentence", &Verdict::sentence)
+      .def_property_readonly("rms", [](const Verdict& v) { return v.rms.radians(); })
+      .def_property_readonly("largest", [](const Verdict& v) { return v.largest.radians(); });
+  m.def("judge_plan", &judge_plan, py::arg("plan"), py::arg("dimples"), py::arg("tool"),
+        py::arg("spindle"), py::arg("rule"), py::arg("model"),
+        "`plan`: a function from Spindle to ToolPath, tried at several speeds.");
+  m.def("predicted_phase", &predicted_dict, py::arg("path"), py::arg("model"), py::arg("dimples"),
+        py::arg("rule"), "The motion model's phase error at each dimple, start phase taken away.");
+}
+
+}  // namespace
+
+void bind_machine_model(py::module_& m) {
+  py::class_<MotionModel>(m, "MotionModel", "What a controller makes of a path. mm, s.")
+      .def(py::init(&model_of), py::arg("velocity"), py::arg("acceleration"),
+           py::arg("jerk") = kNoJerkLimit, py::arg("period") = 1e-3, py::arg("tolerance") = 0.0,
+           py::arg("spindle_lock") = false)
+      .def_readonly("acceleration", &MotionModel::acceleration)
+      .def_readonly("velocity", &MotionModel::velocity)
+      .def_readonly("spindle_lock", &MotionModel::spindle_lock);
+  bind_paths(m);
+  bind_verdict(m);
+  m.def(
+      "phase_period",
+      [](int flutes, const PhaseRule& rule) { return phase_period(flutes, rule.flutes).radians(); },
+      py::arg("flutes"), py::arg("rule"));
+  m.def(
+      "calibration_side",
+      [](double period, double step) {
+        return calibration_side(Angle::radians(period), Angle::radians(step));
+      },
+      py::arg("period"), py::arg("step"), "Dimples along the side of the calibration patch.");
+  m.def(
+      "start_phase",
+      [](std::int64_t best, double step, double period) {
+        return start_phase(best, Angle::radians(step), Angle::radians(period)).radians();
+      },
+      py::arg("best_dimple"), py::arg("step"), py::arg("period"));
+  m.def(
+      "with_start_phase",
+      [](const ToolPath& path, double phase, double period, int decimals) {
+        return with_start_phase(path, Angle::radians(phase), Angle::radians(period),
+                                Decimals(decimals));
+      },
+      py::arg("path"), py::arg("start_phase"), py::arg("period"), py::arg("decimals"));
+}
+
+}  // namespace patchmill
