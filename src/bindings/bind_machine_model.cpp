@@ -1,6 +1,7 @@
 // Motion model, paced paths, verdicts and calibration for Python. Angles in radians.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
+#include "core/geometry/error.h"
 #include "core/machine/motion_model.h"
 #include "core/machine/rs274_text.h"
 #include "core/sync/calibration.h"
@@ -64,10 +65,24 @@ const char* name(Holding holding) {
   return "?";
 }
 
+// A Python InputError thrown by `call` as the core's own, so that the core can catch it.
+template <class Call>
+auto translated(const Call& call) -> decltype(call()) {
+  try {
+    return call();
+  } catch (py::error_already_set& error) {
+    if (!error.matches(py::module_::import("_patchmill").attr("InputError"))) throw;
+    const py::object e = error.value();
+    throw InputError(py::str(e.attr("property")), py::str(e.attr("value")),
+                     py::str(e.attr("remedy")));
+  }
+}
+
 Verdict judge_plan(const std::function<ToolPath(const Spindle&)>& plan, const Dimples& dimples,
                    const BallEndMill& tool, const Spindle& spindle, const PhaseRule& rule,
                    const MotionModel& model) {
-  return judge(plan, spindle, model, wanted_phases(dimples, rule, spindle),
+  const auto plan_in_cpp = [&](const Spindle& s) { return translated([&] { return plan(s); }); };
+  return judge(plan_in_cpp, spindle, model, wanted_phases(dimples, rule, spindle),
                phase_period(tool.flutes, rule.flutes));
 }
 

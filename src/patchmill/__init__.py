@@ -18,6 +18,7 @@ _LAZY = {
     "PlanarTexture": ("patchmill.planar_texture", None),
     "PyramidTexture": ("patchmill.pyramid_texture", None),
     "CurvedTexture": ("patchmill.curved_texture", None),
+    "CalibrationPatch": ("patchmill.calibration_patch", None),
     "planned": ("patchmill.texture_operation", "planned"),
     "recompute": ("patchmill.texture_operation", "recompute"),
     "post": ("patchmill.posting", "post"),

@@ -5,13 +5,15 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import math
 import os
+import re
 import shlex
 from dataclasses import dataclass
 
 import _patchmill as core
+import numpy as np
 from _patchmill import InputError
 
-from patchmill import host
+from patchmill import host, strategies
 from patchmill.texture_operation import ObjectTexture, planned
 
 
@@ -39,7 +41,8 @@ def post(job, filename, post_name=None, arguments=None):
     textures = [op for op in operations if isinstance(op.Proxy, ObjectTexture)]
     plans = [planned(op) for op in textures]
     for op, plan in zip(textures, plans):
-        _check_arguments(plan, shlex.split(arguments))
+        _check_verdict(op, plan)
+        _check_arguments(post_name, plan, shlex.split(arguments))
     text = _single_text(job, post_name, arguments)
     posted = _read_back(text, textures, plans)
     _write(filename, text)
@@ -57,10 +60,23 @@ def _active_operations(job):
     return operations
 
 
-def _check_arguments(plan, arguments):
+def _check_verdict(op, plan):
+    """A plan that the machine cannot hold is not posted, unless the user says so. Where no machine is
+    named nothing is known; the report says that."""
+    verdict = plan.pacing.verdict
+    if verdict is None or op.PostUnheld or verdict.holding in ("holds", "unknown"):
+        return
+    raise InputError(
+        "SpindleSpeed",
+        "%g rpm" % (60.0 * plan.input.spindle.speed),
+        verdict.sentence + " Set PostUnheld to post it all the same.",
+    )
+
+
+def _check_arguments(post_name, plan, arguments):
     if "--inches" in arguments:
         raise InputError("PostProcessorArgs", "--inches", "textures are posted in millimetres.")
-    precision = 3
+    precision = 4 if post_name == "patchmill_linuxcnc" else 3
     for i, argument in enumerate(arguments):
         if argument.startswith("--precision="):
             precision = int(argument.split("=", 1)[1])
@@ -102,7 +118,13 @@ def _read_back(text, operations, plans):
             )
         section, match = best[2], best[3]
         _check_spindle(op, plan, section.path)
-        errors = plan.phase_errors(section.path)
+        if plan.input.strategy == strategies.CONSTANT:
+            errors = plan.phase_errors(section.path)
+        else:
+            _check_paces(op, plan, section.path)
+            errors = plan.predicted_errors()
+            posted.append(PostedTexture(op, section.path, match, errors))
+            continue
         largest = math.degrees(errors["largest"])
         if not largest <= op.PhaseTolerance.Value or errors["runs"] != 1:
             raise InputError(
@@ -113,6 +135,28 @@ def _read_back(text, operations, plans):
             )
         posted.append(PostedTexture(op, section.path, match, errors))
     return posted
+
+
+def _check_paces(op, plan, path):
+    """Every timed move of the text takes the turns that the planned words say: K and F are whole."""
+    spindle = plan.input.spindle
+    head = "%s S%d\n" % (spindle.sense, round(60.0 * spindle.speed))
+    words = re.sub(
+        r"F([0-9.]+)", lambda f: "F%.6f" % (60.0 * float(f.group(1))), plan.pacing.text
+    )
+    planned_path = core.read_gcode(head + words, plan.input.tool)[-1].path
+    core.match_plan(planned_path, plan.path, 1e-6)
+    timed = [p.turns[p.kinds > 0] for p in (planned_path, path)]
+    if len(timed[0]) == len(timed[1]):
+        both_unknown = np.isnan(timed[0]) & np.isnan(timed[1])
+        off = np.where(both_unknown, 0.0, np.abs(timed[0] - timed[1]) / np.maximum(timed[0], 1e-3))
+        if np.nanmax(off) < 1e-4 and not np.isnan(off).any():
+            return
+    raise InputError(
+        op.Label,
+        "other K or F words",
+        "the post-processor does not keep them: use patchmill_linuxcnc.",
+    )
 
 
 def _check_spindle(op, plan, path):

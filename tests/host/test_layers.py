@@ -91,6 +91,8 @@ class Layers(unittest.TestCase):
         stage = (ROOT / "cmake" / "StageModule.cmake").read_text()
         staged = set(re.findall(r"CREATE_LINK \S+ \$\{STAGE\}/(\w+)", stage))
         self.assertLessEqual(staged, {"patchmill", "patchmill_gui", "Resources"})
+        posts = re.findall(r"\w+_post\.py", stage)
+        self.assertTrue(posts and all(p.startswith("patchmill_") for p in posts))
 
 
 if __name__ == "__main__":

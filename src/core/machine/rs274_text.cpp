@@ -37,6 +37,7 @@ class Writer {
   }
 
   Rs274Text write_moves() {
+    line("G0 " + words(path_.start.tip));
     moves();
     return std::move(result_);
   }

@@ -29,7 +29,7 @@ struct Rs274Text {
 Rs274Text rs274_text(const ToolPath& path, const MotionModel& model, const Decimals& decimals,
                      FeedWord feed = FeedWord::PerMinute);
 
-/// The moves alone, with their G61, G64 and G33 words, as text for FreeCAD's Path.Path(text), whose F is
+/// A rapid to the start and the moves, with their G61, G64 and G33 words, as text for FreeCAD's Path.Path(text), whose F is
 /// mm/s. Errors: as rs274_text.
 std::string freecad_paced_text(const ToolPath& path, const MotionModel& model,
                                const Decimals& decimals);
