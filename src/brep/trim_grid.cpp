@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include <BRepAdaptor_Curve2d.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
-#include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -19,7 +19,11 @@ TrimGrid::TrimGrid(const TopoDS_Face& face) : cells_(std::size_t(kCells) * kCell
   BRepTools::UVBounds(face, u0_, u1, v0_, v1);
   du_ = (u1 - u0_) / kCells;
   dv_ = (v1 - v0_) / kCells;
-  classifier_ = std::make_unique<BRepTopAdaptor_FClass2d>(face, BRep_Tool::Tolerance(face));
+  // the classifier's tolerance is one of parameters: 1e-7 mm on the surface, whatever its scale
+  const BRepAdaptor_Surface surface(face, false);
+  const double tolerance = std::min(surface.UResolution(Precision::Confusion()),
+                                    surface.VResolution(Precision::Confusion()));
+  classifier_ = std::make_unique<BRepTopAdaptor_FClass2d>(face, tolerance);
   mark_border(face);
   fill();
 }

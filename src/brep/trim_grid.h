@@ -19,7 +19,7 @@ class TrimGrid {
   /// `face` must have p-curves on its edges, as every valid face has.
   explicit TrimGrid(const TopoDS_Face& face);
 
-  /// True if (u, v) is inside the trimming or on it within the face's tolerance. Thread-safe.
+  /// True if (u, v) is inside the trimming or within 1e-7 mm of its border. Thread-safe.
   bool inside(double u, double v) const;
 
   double u_min() const { return u0_; }

@@ -146,7 +146,7 @@ def draw_phase_error(errors, filename):
     axes.set_xlabel("dimple, in milling order")
     axes.set_ylabel("phase error [degrees]")
     axes.set_title(
-        "Phase error read back from the posted text: largest %.3f°, rms %.3f°"
+        "Phase error: largest %.3f°, rms %.3f°"
         % (np.abs(degrees).max(), np.sqrt((degrees**2).mean()))
     )
     figure.tight_layout()

@@ -24,7 +24,9 @@ def report_data(posted, plan, gcode):
     tilts = np.degrees(_tilts(plan))[cut]
     return {
         "program": os.path.basename(gcode),
-        "strategy": "constant feed (Xu & Sasahara 2016)",
+        "strategy": given.strategy,
+        "machine": plan.machine.data["name"] if plan.machine else None,
+        "verdict": plan.pacing.verdict.sentence if plan.pacing.verdict else "Unknown: no machine is named.",
         "dimples": {"tried": len(plan.dimples), "by_state": plan.counts},
         "patches": {
             "shape": given.patch_shape,
@@ -49,15 +51,27 @@ def report_data(posted, plan, gcode):
         "phase_error_degrees": {
             "largest": math.degrees(posted.errors["largest"]),
             "rms": math.degrees(posted.errors["rms"]),
-            "drift_per_1000_dimples": 1000 * math.degrees(posted.errors["drift_per_dimple"]),
+            "source": "the posted text" if "runs" in posted.errors else "the machine's motion model",
+            "drift_per_1000_dimples": _drift(errors),
             "at_each_dimple": [round(float(e), 5) for e in errors],
             "dimple_numbers": [int(n) for n in posted.errors["dimple"]],
         },
-        "not_checked": [
-            "whether the machine keeps the feed: a planner that slows down at corners loses the phase",
-            "collision of shank and holder",
-        ],
+        "not_checked": _not_checked(plan),
     }
+
+
+def _drift(errors):
+    """Slope of the error over the dimples' order, least squares, per 1000 dimples."""
+    if len(errors) < 3:
+        return 0.0
+    return 1000.0 * float(np.polyfit(np.arange(len(errors)), errors, 1)[0])
+
+
+def _not_checked(plan):
+    left = ["collision of shank and holder"]
+    if plan.pacing.verdict is None:
+        left.insert(0, "whether the machine keeps the feed: a planner that slows down loses the phase")
+    return left
 
 
 def _tilts(plan):
@@ -110,6 +124,8 @@ def _rows(data):
     turns, phase = data["turns_per_dimple"], data["phase_error_degrees"]
     yield "Program", data["program"]
     yield "Strategy", data["strategy"]
+    yield "Machine", data["machine"] or "not named"
+    yield "Verdict", data["verdict"]
     yield "Tool", "ball end mill Ø%(ball_diameter_mm)g mm, %(flutes)d flutes" % data["tool"]
     yield "Spindle", "S%(rpm)g %(sense)s" % data["spindle"]
     yield "Feed", "%.3f mm/min" % data["feed_mm_min"]
@@ -131,7 +147,7 @@ def _rows(data):
             "%(mean).3f (%(least).3f to %(greatest).3f)" % turns,
         )
     yield (
-        "Phase error, read back from the text",
+        "Phase error, from " + phase["source"],
         "largest %.3f°, rms %.3f°" % (phase["largest"], phase["rms"]),
     )
     yield "Drift", "%.5f° per 1000 dimples" % phase["drift_per_1000_dimples"]
@@ -152,7 +168,7 @@ def _page(data, images):
     captions = {
         "dimples": "Dimples over the patches, seen along the projection direction, and one patch.",
         "path": "Tool tip over one patch and its links.",
-        "phase": "Phase error at every dimple, from the posted text.",
+        "phase": "Phase error at every dimple, from %s." % data["phase_error_degrees"]["source"],
     }
     figures = "\n".join(
         '<figure><img src="%s" alt="%s"><figcaption>%s</figcaption></figure>'
