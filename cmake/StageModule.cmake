@@ -10,7 +10,7 @@ foreach(FILE ${MODULE_FILES})
   file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${FILE} ${STAGE}/${FILE} SYMBOLIC)
 endforeach()
 file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/patchmill ${STAGE}/patchmill SYMBOLIC)
-# FreeCAD finds a post-processor as NAME_post.py on sys.path
+# FreeCAD finds a post-processor by its name and "_post.py" on sys.path
 set(POST_FILES patchmill_linuxcnc_post.py)
 foreach(FILE ${POST_FILES})
   file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/posts/${FILE} ${STAGE}/${FILE} SYMBOLIC)
