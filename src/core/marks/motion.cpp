@@ -21,8 +21,8 @@ double twist(const Vec3& from, const Vec3& to, const Vec3& axis) {
 
 /// Nodes of one move after its start, cut up so that the ball centre and the housing are followed
 /// within `tolerance` by straight lines from node to node. The axis takes the least rotation, the
-/// housing turns evenly about it besides.
-// `from` is a copy: it may be a node of `run`, which grows.
+/// housing turns evenly about it besides. `from` is taken by value: it may be a node of `run`, which
+/// grows.
 void append_move(const MotionNode from, const Vec3& from_tip, const MotionNode& to,
                  const Vec3& to_tip, double radius, double tolerance, MotionRun& run) {
   const auto turn = Eigen::Quaterniond::FromTwoVectors(from.axis, to.axis);
