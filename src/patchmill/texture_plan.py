@@ -126,8 +126,18 @@ def _division(given, low, high):
     return core.patch_block(pattern, given.patches_x, given.patches_y)
 
 
-def plan_texture(given, progress=None):
-    """PlannedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
+@dataclass
+class PlacedTexture:
+    """Dimples on the faces, before any timing: what a preview shows."""
+
+    input: TextureInput
+    plane: core.TexturePlane
+    division: core.PatchDivision
+    dimples: core.Dimples
+
+
+def place_texture(given, progress=None):
+    """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
 
     Raises InputError naming the property that is wrong."""
     if not given.spacing > 0.0:  # also NaN; before the faces are looked at
@@ -140,9 +150,27 @@ def plan_texture(given, progress=None):
     core.keep_off_borders(dimples, given.breps, given.margin)
     core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
     core.drop_slivers(dimples, given.minimum_dimples)
+    return PlacedTexture(given, plane, division, dimples)
+
+
+def plan_texture(given, progress=None):
+    """PlannedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
+
+    Raises InputError naming the property that is wrong."""
+    placed = place_texture(given, progress)
+    if placed is None:
+        return None
+    dimples = placed.dimples
     rule = core.PhaseRule(given.same_flute, given.extra_turns, radians(given.phase_step))
     machine = machines.load(given.machine) if given.machine else None
     pacing = strategies.make(given, dimples, rule, machine)
     return PlannedTexture(
-        given, plane, division, dimples, rule, pacing, machine, dict(dimples.counts())
+        given,
+        placed.plane,
+        placed.division,
+        dimples,
+        rule,
+        pacing,
+        machine,
+        dict(dimples.counts()),
     )
