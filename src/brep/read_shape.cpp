@@ -14,15 +14,20 @@
 
 namespace patchmill {
 
-std::vector<TopoDS_Face> read_faces(const std::string& brep) {
+TopoDS_Shape read_shape(const std::string& brep, const char* property) {
   TopoDS_Shape shape;
   try {
     std::istringstream in(brep);
     BRepTools::Read(shape, in, BRep_Builder());
   } catch (const Standard_Failure& e) {
-    throw InputError("Base", e.GetMessageString(), "the shape could not be read: repair it.");
+    throw InputError(property, e.GetMessageString(), "the shape could not be read: repair it.");
   }
-  if (shape.IsNull()) throw InputError("Base", "no shape", "select a face of the model.");
+  if (shape.IsNull()) throw InputError(property, "no shape", "give a shape with faces.");
+  return shape;
+}
+
+std::vector<TopoDS_Face> read_faces(const std::string& brep) {
+  const TopoDS_Shape shape = read_shape(brep, "Base");
   std::vector<TopoDS_Face> faces;
   for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
     faces.push_back(TopoDS::Face(e.Current()));

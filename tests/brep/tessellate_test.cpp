@@ -1,0 +1,107 @@
+// Tessellation against closed forms: volumes and areas of solids, closedness whatever the placements,
+// seams, poles and common edges; and what cannot be meshed is said so.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "brep/tessellate.h"
+
+#include "core/geometry/error.h"
+#include "faces.h"
+
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gtest/gtest.h>
+
+namespace patchmill {
+namespace {
+
+TessellationOptions within(double deflection) {
+  return {deflection, Angle::degrees(20)};
+}
+
+/// Volume, area and closedness of a shape; the volume of an inscribed mesh may be off by area x deflection.
+void expect_solid(const TopoDS_Shape& shape, double volume_of_it, double area_of_it) {
+  const double deflection = 0.002;
+  const Tessellation t = tessellate(shape, within(deflection));
+  ASSERT_TRUE(t.closed) << t.reason;
+  EXPECT_NEAR(volume(t.mesh), volume_of_it, 2.0 * area_of_it * deflection);
+  EXPECT_NEAR(surface_area(t.mesh), area_of_it, 0.01 * area_of_it);
+  EXPECT_EQ(t.face.size(), t.mesh.triangles.size());
+}
+
+TEST(Tessellate, SolidsOfKnownVolumeAreClosed) {
+  expect_solid(BRepPrimAPI_MakeBox(2.0, 3.0, 4.0).Solid(), 24.0, 52.0);
+  expect_solid(BRepPrimAPI_MakeSphere(2.0).Solid(), 32.0 / 3.0 * kPi, 16.0 * kPi);
+  expect_solid(BRepPrimAPI_MakeCylinder(1.0, 3.0).Solid(), 3.0 * kPi, 8.0 * kPi);
+  expect_solid(BRepPrimAPI_MakeCone(1.0, 0.0, 2.0).Solid(), 2.0 / 3.0 * kPi,
+               kPi * (1.0 + std::sqrt(5.0)));
+  expect_solid(BRepPrimAPI_MakeTorus(3.0, 1.0).Solid(), 6.0 * kPi * kPi, 12.0 * kPi * kPi);
+}
+
+// The top of a prism is its base moved: the same edges in another place.
+TEST(Tessellate, ClosedWhereFacesHavePlacementsOfTheirOwn) {
+  const TopoDS_Shape block = BRepPrimAPI_MakePrism(table1_face(), gp_Vec(0.1, 0.2, -50.0));
+  const Tessellation t = tessellate(block, within(0.01));
+  EXPECT_TRUE(t.closed) << t.reason;
+  gp_Trsf move;
+  move.SetRotation(gp_Ax1({1.0, 2.0, 3.0}, {1.0, 1.0, 0.3}), 0.7);
+  const TopoDS_Shape moved = block.Moved(TopLoc_Location(move));
+  const Tessellation m = tessellate(moved, within(0.01));
+  EXPECT_TRUE(m.closed) << m.reason;
+  EXPECT_NEAR(volume(m.mesh), volume(t.mesh), 1e-6 * volume(t.mesh));
+}
+
+TEST(Tessellate, MirroredAndReversedSolidsFaceOutwards) {
+  gp_Trsf mirror;
+  mirror.SetMirror(gp_Ax2({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}));
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(1.0, 1.0, 1.0), 2.0, 3.0, 4.0).Solid();
+  expect_solid(BRepBuilderAPI_Transform(box, mirror, true).Shape(), 24.0, 52.0);
+  expect_solid(box.Reversed(), 24.0, 52.0);
+}
+
+TEST(Tessellate, NodesLieOnTheSurfaceAndTrianglesNear) {
+  const double deflection = 0.001;
+  const Tessellation t = tessellate(BRepPrimAPI_MakeSphere(5.0).Solid(), within(deflection));
+  for (const Vec3& v : t.mesh.vertices) EXPECT_NEAR(v.norm(), 5.0, 1e-9);
+  for (const auto& c : t.mesh.triangles) {
+    const Vec3 middle =
+        (t.mesh.vertices[c[0]] + t.mesh.vertices[c[1]] + t.mesh.vertices[c[2]]) / 3.0;
+    EXPECT_LT(5.0 - middle.norm(), 2.0 * deflection);
+  }
+}
+
+TEST(Tessellate, WhatIsNoClosedSolidIsSaid) {
+  const Tessellation face = tessellate(table1_face(), within(0.01));
+  EXPECT_FALSE(face.closed);
+  EXPECT_NE(face.reason.find("open shell"), std::string::npos) << face.reason;
+  EXPECT_FALSE(face.mesh.triangles.empty());
+  EXPECT_FALSE(tessellate(TopoDS_Shape()).closed);
+  TopoDS_Compound five;  // a box without its last face
+  BRep_Builder builder;
+  builder.MakeCompound(five);
+  TopExp_Explorer e(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Solid(), TopAbs_FACE);
+  for (int i = 0; i < 5; ++i, e.Next()) builder.Add(five, e.Current());
+  EXPECT_FALSE(tessellate(five).closed);
+  TopoDS_Face nothing;  // a face without a surface
+  builder.MakeFace(nothing);
+  builder.Add(five, nothing);
+  const Tessellation broken = tessellate(five);
+  EXPECT_FALSE(broken.closed);
+  EXPECT_NE(broken.reason.find("Face6"), std::string::npos) << broken.reason;
+}
+
+TEST(Tessellate, BadOptionsAreNamed) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Solid();
+  EXPECT_THROW(tessellate(box, {0.0, Angle::degrees(20)}), InputError);
+  EXPECT_THROW(tessellate(box, {0.1, Angle::degrees(0)}), InputError);
+}
+
+}  // namespace
+}  // namespace patchmill
