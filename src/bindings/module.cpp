@@ -50,4 +50,5 @@ PYBIND11_MODULE(_patchmill, m) {
   patchmill::bind_sync(m);
   patchmill::bind_machine(m);
   patchmill::bind_machine_model(m);
+  patchmill::bind_scene(m);
 }

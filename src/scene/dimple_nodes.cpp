@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/dimple_nodes.h"
+
+#include "scene/shapes.h"
+
+#include <Inventor/nodes/SoLevelOfDetail.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace patchmill::scene {
+namespace {
+
+constexpr std::size_t kChunk = 1024;    // dimples that are shown or simplified together
+constexpr float kPixelsOfDisc = 12.0f;  // a disc with less of the screen becomes a point
+constexpr std::array<Rgba, 2> kOrderColours{0x1b3a57ff, 0xa34a00ff};
+
+bool has_place(const Dimple& dimple) {
+  return dimple.state != DimpleState::OffFace && dimple.state != DimpleState::OffNet &&
+         dimple.surface.position.allFinite() && dimple.surface.normal.allFinite();
+}
+
+/// Two unit vectors that make a right angle with each other and with `normal`.
+std::array<Vec3, 2> tangents(const Vec3& normal) {
+  const Vec3 a = normal.unitOrthogonal();
+  return {a, normal.cross(a)};
+}
+
+void add_disc(Triangles& triangles, const Dimple& dimple, double radius) {
+  const auto [a, b] = tangents(dimple.surface.normal);
+  const auto first = static_cast<std::int32_t>(triangles.vertices.size());
+  constexpr int kCorners = 6;
+  for (int i = 0; i < kCorners; ++i) {
+    const double turn = i * (2.0 * M_PI / kCorners);
+    triangles.vertices.push_back(
+        single(dimple.surface.position + radius * (std::cos(turn) * a + std::sin(turn) * b)));
+    triangles.colours.push_back(state_colour(dimple.state));
+  }
+  for (int i = 1; i + 1 < kCorners; ++i)
+    for (const std::int32_t corner : {first, first + i, first + i + 1, std::int32_t{-1}})
+      triangles.corners.push_back(corner);
+}
+
+SoSeparator* chunk_node(const std::vector<const Dimple*>& dimples, double radius) {
+  Triangles discs;
+  std::vector<SbVec3f> points;
+  std::vector<Rgba> colours;
+  for (const Dimple* dimple : dimples) {
+    add_disc(discs, *dimple, radius);
+    points.push_back(single(dimple->surface.position));
+    colours.push_back(state_colour(dimple->state));
+  }
+  auto* detail = new SoLevelOfDetail;
+  detail->screenArea = kPixelsOfDisc * static_cast<float>(dimples.size());
+  detail->addChild(triangle_node(discs));
+  detail->addChild(point_node(points, colours, 3.0f));
+  auto* separator = new SoSeparator;
+  separator->addChild(detail);
+  return separator;
+}
+
+/// An arrowhead at `tip`, coming from `tail`, in the tangent plane.
+void add_arrowhead(Polylines& lines, const Vec3& tail, const Vec3& tip, const Vec3& normal,
+                   Rgba colour) {
+  const Vec3 back = 0.35 * (tail - tip);
+  const Vec3 side = 0.5 * normal.cross(back);
+  const std::size_t first = lines.vertices.size();
+  for (const Vec3& corner : {Vec3(tip + back + side), tip, Vec3(tip + back - side)})
+    lines.add(corner, colour);
+  lines.close_from(first);
+}
+
+}  // namespace
+
+SoSeparator* dimple_node(const Dimples& dimples, double radius) {
+  auto* root = new SoSeparator;
+  std::vector<const Dimple*> chunk;
+  const auto flush = [&] {
+    if (!chunk.empty()) root->addChild(chunk_node(chunk, radius));
+    chunk.clear();
+  };
+  for (const Dimple& dimple : dimples) {
+    if (!has_place(dimple)) continue;
+    chunk.push_back(&dimple);
+    if (chunk.size() == kChunk) flush();
+  }
+  flush();
+  return root;
+}
+
+SoSeparator* order_node(const Dimples& dimples, double spacing) {
+  constexpr int kStepsToAnArrow = 4;
+  Polylines lines, heads;
+  const double lift = 0.05 * spacing;
+  const Dimple* before = nullptr;
+  std::size_t first = 0;
+  int step = 0;
+  for (const Dimple& dimple : dimples) {
+    if (dimple.state != DimpleState::Cut) continue;
+    const Rgba colour = kOrderColours[static_cast<std::size_t>(dimple.patch % 2)];
+    const Vec3 place = dimple.surface.position + lift * dimple.surface.normal;
+    const bool same_patch = before && before->patch == dimple.patch;
+    if (!same_patch) {
+      lines.close_from(first);
+      first = lines.vertices.size();
+      step = 0;
+    }
+    lines.add(place, colour);
+    if (same_patch && step++ % kStepsToAnArrow == 0)
+      add_arrowhead(heads, before->surface.position + lift * before->surface.normal, place,
+                    dimple.surface.normal, colour);
+    before = &dimple;
+  }
+  lines.close_from(first);
+  auto* root = new SoSeparator;
+  root->addChild(line_node(lines, 1.0f));
+  root->addChild(line_node(heads, 1.5f));
+  return root;
+}
+
+SoSeparator* outline_node(const std::vector<std::vector<Vec3>>& outlines) {
+  Polylines lines;
+  for (const auto& outline : outlines) {
+    std::size_t first = lines.vertices.size();
+    for (const Vec3& corner : outline) {
+      if (corner.allFinite()) {
+        lines.add(corner, 0x303030ff);
+        continue;
+      }
+      lines.close_from(first);
+      first = lines.vertices.size();
+    }
+    lines.close_from(first);
+  }
+  return line_node(lines, 1.5f);
+}
+
+SoSeparator* axis_node(const Dimples& dimples, const std::vector<Vec3>& axes, double length,
+                       std::size_t most) {
+  Polylines lines;
+  const std::size_t stride =
+      std::max<std::size_t>(1, dimples.size() / std::max<std::size_t>(1, most));
+  for (std::size_t i = 0; i < dimples.size() && i < axes.size(); i += stride) {
+    if (dimples[i].state != DimpleState::Cut) continue;
+    const std::size_t first = lines.vertices.size();
+    lines.add(dimples[i].surface.position, 0x6a3d9aff);
+    lines.add(dimples[i].surface.position + length * axes[i], 0x6a3d9aff);
+    lines.close_from(first);
+  }
+  return line_node(lines, 1.0f);
+}
+
+}  // namespace patchmill::scene

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/path_nodes.h"
+
+#include "scene/shapes.h"
+
+#include <Inventor/nodes/SoSeparator.h>
+#include <algorithm>
+
+namespace patchmill::scene {
+namespace {
+
+constexpr std::size_t kChunk = 20000;  // moves in one node: cached, and culled, together
+
+void add_moves(Polylines& lines, const ToolPath& path, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last;) {
+    const std::size_t begin = lines.vertices.size();
+    const MoveKind kind = path.moves[i].kind;
+    const Rgba colour = move_colour(kind);
+    lines.add(i == 0 ? path.start.tip : path.moves[i - 1].end.tip, colour);
+    for (; i < last && path.moves[i].kind == kind; ++i) lines.add(path.moves[i].end.tip, colour);
+    lines.close_from(begin);
+  }
+}
+
+}  // namespace
+
+SoSeparator* path_node(const ToolPath& path, std::size_t first, std::size_t last) {
+  last = std::min(last, path.moves.size());
+  auto* root = new SoSeparator;
+  for (std::size_t i = first; i < last; i += kChunk) {
+    Polylines lines;
+    add_moves(lines, path, i, std::min(i + kChunk, last));
+    root->addChild(line_node(lines, 1.0f));
+  }
+  return root;
+}
+
+SoSeparator* path_axis_node(const ToolPath& path, double length, std::size_t most) {
+  Polylines lines;
+  const std::size_t count = path.moves.size();
+  const std::size_t stride = std::max<std::size_t>(1, count / std::max<std::size_t>(1, most));
+  for (std::size_t i = 0; i < count; i += stride) {
+    const ToolPose& pose = path.moves[i].end;
+    if (path.moves[i].kind == MoveKind::Rapid) continue;
+    const std::size_t first = lines.vertices.size();
+    lines.add(pose.tip, 0x6a3d9aff);
+    lines.add(pose.tip + length * pose.axis, 0x6a3d9aff);
+    lines.close_from(first);
+  }
+  return line_node(lines, 1.0f);
+}
+
+}  // namespace patchmill::scene
