@@ -132,7 +132,11 @@ void bind_division(py::module_& m) {
       .def_readonly("size", &PatchPattern::size);
   py::class_<PatchSurface>(m, "PatchSurface", "Planar, pyramid or curved patches.")
       .def(py::init(&surface_of), py::arg("kind"), py::arg("fit") = "Best fit",
-           py::arg("height_factor") = 1.0, py::arg("apex_lift") = 0.0);
+           py::arg("height_factor") = 1.0, py::arg("apex_lift") = 0.0)
+      .def("__eq__", [](const PatchSurface& a, const PatchSurface& b) {
+        return a.kind == b.kind && a.fit == b.fit && a.height_factor == b.height_factor &&
+               a.apex_lift == b.apex_lift;
+      });
   py::class_<PatchDivision>(m, "PatchDivision", "Patches in milling order.")
       .def("__len__", [](const PatchDivision& d) { return d.cells.size(); })
       .def_readonly("pattern", &PatchDivision::pattern)

@@ -35,10 +35,16 @@ void bind_path(py::module_& m) {
              return BallEndMill{radius, flutes};
            }),
            py::arg("radius"), py::arg("flutes"))
+      .def("__eq__",
+           [](const BallEndMill& a, const BallEndMill& b) {
+             return a.radius == b.radius && a.flutes == b.flutes;
+           })
       .def_readonly("radius", &BallEndMill::radius)
       .def_readonly("flutes", &BallEndMill::flutes);
   py::class_<Spindle>(m, "Spindle", "Speed [revolutions per second] and sense, 'M3' or 'M4'.")
       .def(py::init(&spindle_of), py::arg("speed"), py::arg("sense"))
+      .def("__eq__", [](const Spindle& a,
+                        const Spindle& b) { return a.speed == b.speed && a.sense == b.sense; })
       .def_readonly("speed", &Spindle::speed)
       .def_property_readonly("sign", &Spindle::sign)
       .def_property_readonly(

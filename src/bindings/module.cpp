@@ -4,6 +4,7 @@
 #include "core/geometry/error.h"
 
 #include <pybind11/eval.h>
+#include <tbb/global_control.h>
 
 namespace patchmill {
 
@@ -31,6 +32,16 @@ class InputError(ValueError):
   });
 }
 
+void bind_threads(py::module_& m) {
+  using Control = tbb::global_control;
+  py::class_<Control>(m, "ThreadLimit", "While it lives, no more threads than this are used.")
+      .def(py::init([](std::size_t threads) {
+             if (threads == 0) throw InputError("Threads", "0", "give at least one.");
+             return std::make_unique<Control>(Control::max_allowed_parallelism, threads);
+           }),
+           py::arg("threads"));
+}
+
 Progress progress_of(const py::object& callable) {
   if (callable.is_none()) return {};
   return [callable](double share) {
@@ -44,6 +55,7 @@ Progress progress_of(const py::object& callable) {
 PYBIND11_MODULE(_patchmill, m) {
   m.doc() = "PatchMill's core: patches, phase, marks. mm, s, radians, revolutions per second.";
   patchmill::bind_errors(m);
+  patchmill::bind_threads(m);
   patchmill::bind_path(m);
   patchmill::bind_patch(m);
   patchmill::bind_brep(m);

@@ -19,13 +19,37 @@ import PathScripts.PathUtils as PathUtils  # noqa: E402  the same name in all ve
 if VERSION >= (0, 21):
     import Path.Main.Job as PathJob
     import Path.Op.Base as PathOp
+    import Path.Tool.Controller as PathToolController
     from Path.Base.SetupSheet import RegisterOperation as register_operation
 else:
     import PathScripts.PathJob as PathJob
     import PathScripts.PathOp as PathOp
+    import PathScripts.PathToolController as PathToolController
     from PathScripts.PathSetupSheet import RegisterOperation as register_operation
 
-__all__ = ["VERSION", "Path", "PathOp", "PathUtils", "register_operation"]
+# FreeCAD's own GUI modules and commands, by what they are for; only the GUI imports them.
+if VERSION >= (0, 21):
+    GUI_MODULES = {
+        "startup": "Path.GuiInit",
+        "operation": "Path.Op.Gui.Base",
+        "selection": "Path.Op.Gui.Selection",
+        "widgets": "Path.Base.Gui.Util",
+        "job": "Path.Main.Gui.Job",
+    }
+    NATIVE_COMMANDS = {"job": "CAM_Job", "post": "CAM_Post"}
+    NATIVE_WORKBENCH = "CAMWorkbench"
+else:
+    GUI_MODULES = {
+        "startup": "PathScripts.PathGuiInit",
+        "operation": "PathScripts.PathOpGui",
+        "selection": "PathScripts.PathSelection",
+        "widgets": "PathScripts.PathGui",
+        "job": "PathScripts.PathJobGui",
+    }
+    NATIVE_COMMANDS = {"job": "Path_Job", "post": "Path_Post"}
+    NATIVE_WORKBENCH = "PathWorkbench"
+
+__all__ = ["GUI_MODULES", "NATIVE_COMMANDS", "NATIVE_WORKBENCH", "VERSION", "Path", "PathOp", "PathUtils", "register_operation"]
 
 
 def create_job(name, models):
@@ -76,9 +100,29 @@ def tool_kind(bit):
     return kind.lower()
 
 
-def add_ball_end_controller(job, diameter_mm, flutes, feed_mm_min, speed_rpm, direction="Forward"):
-    """Makes the job's first tool controller one with a ball end mill; returns it."""
-    controller = tool_controllers(job)[0]
+def append_controller(job):
+    """A further tool controller of the job, with the next free tool number."""
+    number = 1 + max((c.ToolNumber for c in tool_controllers(job)), default=0)
+    controller = PathToolController.Create("TC: Ball end mill", toolNumber=number)
+    job.Proxy.addToolController(controller)
+    return controller
+
+
+def base_of(job, model):
+    """The document object that a job's model object stands for."""
+    return job.Proxy.baseObject(job, model)
+
+
+def jobs():
+    """All jobs of the active document."""
+    return list(PathUtils.GetJobs())
+
+
+def add_ball_end_controller(
+    job, diameter_mm, flutes, feed_mm_min, speed_rpm, direction="Forward", controller=None
+):
+    """Gives a tool controller, the job's first if None, a ball end mill; returns the controller."""
+    controller = controller or tool_controllers(job)[0]
     controller.Tool = make_ball_end_mill(diameter_mm, flutes)
     controller.Label = "Ball end mill %g mm" % diameter_mm
     controller.HorizFeed = feed_mm_min / 60.0

@@ -7,13 +7,14 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
+from dataclasses import dataclass
 
 import FreeCAD
 import _patchmill as core
 from _patchmill import InputError
 
 from patchmill import host, strategies
-from patchmill.texture_plan import TextureInput, plan_texture
+from patchmill.texture_plan import PlannedTexture, TextureInput, plan_texture
 from patchmill.translate import QT_TRANSLATE_NOOP
 
 # type, name, group, tip, default; a list as default is an enumeration, its first value the default
@@ -136,16 +137,46 @@ RESULTS = [
 ]
 
 
+@dataclass
+class ReadyTexture:
+    """A planned texture and the FreeCAD Path commands that are its text."""
+
+    planned: PlannedTexture
+    commands: list
+
+
+COMMANDS_AT_ONCE = 10000  # FreeCAD holds Python's lock while it reads so many
+
+
+def prepare(given, progress=None):
+    """ReadyTexture of a TextureInput, without touching a document: for any thread. None if `progress`
+    (share -> bool) returned False. Raises InputError naming the property that is wrong."""
+    plan = plan_texture(given, progress and (lambda share: progress(0.8 * share)))
+    if plan is None:
+        return None
+    lines = plan.pacing.text.splitlines()
+    commands = []
+    for first in range(0, len(lines), COMMANDS_AT_ONCE):
+        if progress and not progress(0.8 + 0.2 * first / len(lines)):
+            return None
+        commands.extend(
+            host.Path.Path("\n".join(lines[first : first + COMMANDS_AT_ONCE])).Commands
+        )
+    return ReadyTexture(plan, commands)
+
+
 class ObjectTexture(host.PathOp.ObjectOp):
     """An operation's proxy. `planned` is the PlannedTexture of the last good execute, else None;
-    `error` the InputError of the last execute, else None. Neither is saved. A subclass names its
-    SURFACE, as _patchmill.PatchSurface does, and its own OWN_PROPERTIES."""
+    `error` the InputError of the last execute, else None. `ready` is a ReadyTexture that was planned
+    beforehand, in the background, or None; it is used if the input is still the same. None of them is
+    saved. A subclass names its SURFACE, as _patchmill.PatchSurface does, and its OWN_PROPERTIES."""
 
     SURFACE = None
     CALIBRATING = False
     OWN_PROPERTIES = []
     planned = None
     error = None
+    ready = None
 
     def opFeatures(self, obj):
         op = host.PathOp
@@ -180,13 +211,18 @@ class ObjectTexture(host.PathOp.ObjectOp):
 
     def opExecute(self, obj):
         try:
-            self.planned = plan_texture(self.texture_input(obj))
+            ready = self._ready_or_planned(self.texture_input(obj))
         except InputError as error:
             self.error = error
             self.planned = None
             raise
-        self.commandlist.extend(host.Path.Path(self.planned.pacing.text).Commands)
+        self.planned = ready.planned
+        self.commandlist.extend(ready.commands)
         self._show_results(obj)
+
+    def _ready_or_planned(self, given):
+        ready, self.ready = self.ready, None
+        return ready if ready and ready.planned.input == given else prepare(given)
 
     def _show_results(self, obj):
         counts = self.planned.counts
