@@ -49,7 +49,16 @@ else:
     NATIVE_COMMANDS = {"job": "Path_Job", "post": "Path_Post"}
     NATIVE_WORKBENCH = "PathWorkbench"
 
-__all__ = ["GUI_MODULES", "NATIVE_COMMANDS", "NATIVE_WORKBENCH", "VERSION", "Path", "PathOp", "PathUtils", "register_operation"]
+__all__ = [
+    "GUI_MODULES",
+    "NATIVE_COMMANDS",
+    "NATIVE_WORKBENCH",
+    "VERSION",
+    "Path",
+    "PathOp",
+    "PathUtils",
+    "register_operation",
+]
 
 
 def create_job(name, models):

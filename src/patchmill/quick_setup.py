@@ -59,4 +59,5 @@ def texture(proxy_module, name, part, faces):
     operation.Base = [(model, list(faces))]
     for key, value in preferences.operation_defaults().items():
         setattr(operation, key, value)
+    operation.Proxy.refresh_heights(operation)
     return operation

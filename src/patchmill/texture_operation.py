@@ -182,6 +182,13 @@ class ObjectTexture(host.PathOp.ObjectOp):
         op = host.PathOp
         return op.FeatureTool | op.FeatureHeights | op.FeatureBaseFaces | op.FeatureCoolant
 
+    def isToolSupported(self, obj, tool):
+        """Ball end mills, if the job has one. A new operation, which has no controller yet, takes the first
+        that fits: FreeCAD would ask with a dialog, and fail where there is no GUI."""
+        tools = [c.Tool for c in host.tool_controllers(host.PathUtils.findParentJob(obj))]
+        fitting = [t for t in tools if host.tool_kind(t) == "ballend"] or tools
+        return tool in (fitting if obj.ToolController else fitting[:1])
+
     def initOperation(self, obj):
         self._add_properties(obj)
 
@@ -235,6 +242,14 @@ class ObjectTexture(host.PathOp.ObjectOp):
         obj.Verdict = verdict.sentence if verdict else "Unknown: no machine is named."
         obj.TurnsPerDimple = statistics["cut_turns"] / max(1, counts["cut"])
         obj.MachiningTime = statistics["timed_seconds"]
+
+    def refresh_heights(self, obj):
+        """The heights as a recompute would leave them: before the first one FreeCAD's expressions for them
+        have not been evaluated, and would refer to a stock at zero."""
+        self.updateDepths(obj, ignoreErrors=True)
+        for name, expression in obj.ExpressionEngine:
+            if name in ("SafeHeight", "ClearanceHeight"):
+                setattr(obj, name, obj.evalExpression(expression))
 
     def patch_surface(self, obj):
         """The _patchmill.PatchSurface of the operation's patches."""
