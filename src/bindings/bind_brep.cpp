@@ -3,8 +3,10 @@
 #include "bindings/bindings.h"
 #include "brep/edges.h"
 #include "brep/face_sampler.h"
+#include "brep/facing.h"
 #include "brep/read_shape.h"
 #include "core/patch/patch_surface.h"
+#include "core/patch/surface_lattice.h"
 
 namespace patchmill {
 namespace {
@@ -23,7 +25,7 @@ FaceSampler sampler_of(const std::vector<std::string>& breps, const TexturePlane
 
 py::object place_dimples(const FaceSampler& sampler, const PatchDivision& division,
                          const TexturePlane& plane, const PatchSurface& surface,
-                         const py::object& progress) {
+                         const SurfaceLattice* lattice, const py::object& progress) {
   const Progress report = progress_of(progress);
   std::optional<Dimples> dimples;
   {
@@ -31,7 +33,8 @@ py::object place_dimples(const FaceSampler& sampler, const PatchDivision& divisi
     const SurfaceSampler sample = [&](const std::vector<Vec2>& places) {
       return sampler.sample(places);
     };
-    dimples = sample_patches(division, plane, sample, surface, report);
+    dimples = lattice ? sample_patches(division, plane, lattice->place_of, sample, surface, report)
+                      : sample_patches(division, plane, sample, surface, report);
   }
   return dimples ? py::cast(std::move(*dimples)) : py::none();
 }
@@ -74,8 +77,13 @@ void bind_brep(py::module_& m) {
       .def("sample", &hits_dict, py::arg("points"),
            "Projects (n, 2) points; a dict of arrays positions, normals, states.")
       .def("place", &place_dimples, py::arg("division"), py::arg("plane"), py::arg("surface"),
-           py::arg("progress") = py::none(),
-           "Dimples of the division on the faces, or None if `progress` returned False.");
+           py::arg("lattice") = py::none(), py::arg("progress") = py::none(),
+           "Dimples of the division on the faces, projected or on a lattice laid on them, or None "
+           "if `progress` returned False.");
+  m.def(
+      "facing", [](const std::vector<std::string>& breps) { return facing(faces_of(breps)); },
+      py::arg("breps"), py::call_guard<py::gil_scoped_release>(),
+      "Unit vector to the side from which the faces look largest.");
   m.def("keep_off_borders", &keep_off_borders, py::arg("dimples"), py::arg("breps"),
         py::arg("margin"), py::call_guard<py::gil_scoped_release>(),
         "Leaves out dimples nearer than `margin` [mm] to the border of the faces together.");

@@ -9,24 +9,10 @@
 namespace patchmill {
 namespace {
 
-template <class T>
-T choose(const char* property, const std::string& given,
-         const std::vector<std::pair<const char*, T>>& choices) {
-  std::string all;
-  for (const auto& [text, value] : choices) {
-    if (given == text) return value;
-    all += (all.empty() ? "" : ", ") + std::string(text);
-  }
-  throw InputError(property, "'" + given + "'", "give one of: " + all + ".");
-}
-
 PatchPattern pattern_of(const std::string& shape, double spacing, int size,
                         const std::string& order, const std::string& start) {
   PatchPattern pattern;
-  pattern.shape = choose<PatchShape>("PatchShape", shape,
-                                     {{"Square", PatchShape::Square},
-                                      {"Hexagon", PatchShape::Hexagon},
-                                      {"Triangle", PatchShape::Triangle}});
+  pattern.shape = shape_of(shape);
   pattern.order = choose<HelixOrder>(
       "HelixOrder", order, {{"Inward", HelixOrder::Inward}, {"Outward", HelixOrder::Outward}});
   pattern.start = choose<HelixStart>(
@@ -65,6 +51,13 @@ py::array_t<double> polygon_array(const Polygon& polygon) {
 py::list outline_list(const PatchDivision& division) {
   py::list list;
   for (const Polygon& outline : outlines(division)) list.append(polygon_array(outline));
+  return list;
+}
+
+py::list lattice_outline_list(const PatchDivision& division) {
+  py::list list;
+  for (const PatchCell& cell : division.cells)
+    list.append(polygon_array(outline_in_lattice(division.pattern, cell)));
   return list;
 }
 
@@ -116,6 +109,12 @@ void bind_dimples(py::module_& m) {
             return rows_of(d, [](const Dimple& v) { return Vec3(v.lattice[0], v.lattice[1], 0); });
           },
           "Integer lattice coordinates in the first two columns, (n, 3).")
+      .def_property_readonly(
+          "depths",
+          [](const Dimples& d) {
+            return column_of<double>(d, [](const Dimple& v) { return v.depth; });
+          },
+          "How far below the face the bottoms lie [mm].")
       .def("counts", &counts_dict, "Number of dimples of each state, by name.");
   m.def("state_names", [] {
     std::vector<std::string> names;
@@ -141,6 +140,9 @@ void bind_division(py::module_& m) {
       .def("__len__", [](const PatchDivision& d) { return d.cells.size(); })
       .def_readonly("pattern", &PatchDivision::pattern)
       .def("outlines", &outline_list, "Corners of each patch in the texture plane [mm], (k, 2).")
+      .def_readonly("anchor", &PatchDivision::anchor, "Place of lattice point (0, 0) [mm].")
+      .def("lattice_outlines", &lattice_outline_list,
+           "Corners of each patch in lattice coordinates, (k, 2).")
       .def("places", &places_of, py::arg("dimples"),
            "Texture-plane coordinates [mm] of each lattice point, (n, 2).");
   m.def(
@@ -160,6 +162,13 @@ void bind_division(py::module_& m) {
 }
 
 }  // namespace
+
+PatchShape shape_of(const std::string& name) {
+  return choose<PatchShape>("PatchShape", name,
+                            {{"Square", PatchShape::Square},
+                             {"Hexagon", PatchShape::Hexagon},
+                             {"Triangle", PatchShape::Triangle}});
+}
 
 void bind_patch(py::module_& m) {
   py::class_<TexturePlane>(m, "TexturePlane", "Origin, axes and projection direction.")

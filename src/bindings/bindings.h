@@ -3,9 +3,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/geometry/error.h"
 #include "core/geometry/progress.h"
 #include "core/geometry/vec.h"
-#include "core/patch/dimple.h"
+#include "core/patch/helix.h"
 
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>
@@ -20,6 +21,8 @@ namespace py = pybind11;
 void bind_errors(py::module_& m);
 void bind_path(py::module_& m);
 void bind_patch(py::module_& m);
+void bind_texture(py::module_& m);
+void bind_matsuda(py::module_& m);
 void bind_brep(py::module_& m);
 void bind_sync(py::module_& m);
 void bind_machine(py::module_& m);
@@ -46,6 +49,21 @@ py::array_t<T> column_of(const Items& items, Get get) {
   for (py::ssize_t i = 0; i < out.shape(0); ++i) out(i) = get(items[static_cast<std::size_t>(i)]);
   return array;
 }
+
+/// The value of the choice named `given`. Errors: InputError naming `property`, with all choices.
+template <class T>
+T choose(const char* property, const std::string& given,
+         const std::vector<std::pair<const char*, T>>& choices) {
+  std::string all;
+  for (const auto& [text, value] : choices) {
+    if (given == text) return value;
+    all += (all.empty() ? "" : ", ") + std::string(text);
+  }
+  throw InputError(property, "'" + given + "'", "give one of: " + all + ".");
+}
+
+/// "Square", "Hexagon" or "Triangle".
+PatchShape shape_of(const std::string& name);
 
 /// A Python callable (share -> bool) or None as Progress; takes the GIL for each call. A Python
 /// exception in it is raised when the long call returns.

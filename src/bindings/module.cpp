@@ -59,6 +59,8 @@ PYBIND11_MODULE(_patchmill, m) {
   patchmill::bind_path(m);
   patchmill::bind_patch(m);
   patchmill::bind_brep(m);
+  patchmill::bind_texture(m);
+  patchmill::bind_matsuda(m);
   patchmill::bind_sync(m);
   patchmill::bind_machine(m);
   patchmill::bind_machine_model(m);

@@ -19,6 +19,8 @@ _LAZY = {
     "PyramidTexture": ("patchmill.pyramid_texture", None),
     "CurvedTexture": ("patchmill.curved_texture", None),
     "CalibrationPatch": ("patchmill.calibration_patch", None),
+    "advise": ("patchmill.advisor", "advise"),
+    "mark_state": ("patchmill.advisor", "mark_state"),
     "planned": ("patchmill.texture_operation", "planned"),
     "recompute": ("patchmill.texture_operation", "recompute"),
     "post": ("patchmill.posting", "post"),

@@ -42,14 +42,14 @@ def _draw_states(axes, plan, places, size, chosen):
 
 def _outlines(axes, plan):
     axes.add_collection(
-        PolyCollection(plan.division.outlines(), facecolors="none", edgecolors="#444", linewidths=0.6)
+        PolyCollection(plan.outlines(), facecolors="none", edgecolors="#444", linewidths=0.6)
     )
 
 
 def draw_dimples(plan, filename):
     """All dimples by state over the patches; one patch enlarged, in milling order. Returns filename."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(14, 7.6))
-    places = plan.division.places(plan.dimples)
+    places = plan.places()
     everything = np.ones(len(places), bool)
     per_mm = plan.input.spacing / max(1e-9, np.ptp(places, axis=0).max())
     _draw_states(left, plan, places, max(0.5, (330 * per_mm) ** 2), everything)

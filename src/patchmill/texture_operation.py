@@ -7,134 +7,19 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, fields
 
 import FreeCAD
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import host, strategies
+from patchmill import host
+from patchmill.texture_mask import MaskInput, curve_loops
 from patchmill.texture_plan import PlannedTexture, TextureInput, plan_texture
+from patchmill.texture_properties import PROPERTIES, RESULTS, of_setup_sheet
+from patchmill.texture_results import show_results
 from patchmill.translate import QT_TRANSLATE_NOOP
-
-# type, name, group, tip, default; a list as default is an enumeration, its first value the default
-PROPERTIES = [
-    ("App::PropertyLength", "Spacing", "Texture", "Distance of neighbouring dimples", 0.5),
-    (
-        "App::PropertyEnumeration",
-        "PatchShape",
-        "Texture",
-        "Shape of the patches: squares on a square lattice, the others on a triangular one",
-        ["Square", "Hexagon", "Triangle"],
-    ),
-    (
-        "App::PropertyInteger",
-        "PatchSide",
-        "Texture",
-        "Dimples along the side of a square or triangle; radius of a hexagon in dimples",
-        14,
-    ),
-    ("App::PropertyInteger", "PatchesX", "Texture", "Patches along X; 0 covers the faces", 0),
-    ("App::PropertyInteger", "PatchesY", "Texture", "Patches along Y; 0 covers the faces", 0),
-    (
-        "App::PropertyEnumeration",
-        "HelixOrder",
-        "Texture",
-        "Mill each patch from its outline inwards, or from its centre outwards",
-        ["Inward", "Outward"],
-    ),
-    (
-        "App::PropertyEnumeration",
-        "HelixStart",
-        "Texture",
-        "Begin all patches at the same corner, or at the corner nearest to the patch before",
-        ["Same corner", "Nearest corner"],
-    ),
-    (
-        "App::PropertyVector",
-        "Direction",
-        "Texture",
-        "Direction in which the texture is projected on the faces",
-        FreeCAD.Vector(0, 0, -1),
-    ),
-    ("App::PropertyAngle", "Rotation", "Texture", "Rotation of the texture", 0.0),
-    ("App::PropertyBool", "AutoOrigin", "Texture", "Centre the texture on the faces", True),
-    (
-        "App::PropertyVector",
-        "Origin",
-        "Texture",
-        "Centre of the texture, if not automatic",
-        FreeCAD.Vector(0, 0, 0),
-    ),
-    (
-        "App::PropertyAngle",
-        "SteepestSlope",
-        "Limits",
-        "Dimples where the face is steeper than this to the projection are left out",
-        80.0,
-    ),
-    (
-        "App::PropertyAngle",
-        "MinimumTilt",
-        "Limits",
-        "Dimples where the tool axis is nearer to the normal than this are left out: the tip rubs",
-        1.0,
-    ),
-    (
-        "App::PropertyLength",
-        "Margin",
-        "Limits",
-        "Dimples nearer than this to the border of the faces are left out",
-        0.0,
-    ),
-    (
-        "App::PropertyInteger",
-        "MinimumDimples",
-        "Limits",
-        "Patches with fewer dimples than this on the faces are left out",
-        0,
-    ),
-    (
-        "App::PropertyEnumeration",
-        "Strategy",
-        "Phase",
-        "How the spindle's phase is kept",
-        list(strategies.NAMES),
-    ),
-    ("App::PropertyString", "Machine", "Phase", "Name of the machine file; empty: unknown", ""),
-    (
-        "App::PropertyBool",
-        "PostUnheld",
-        "Phase",
-        "Post even if the machine cannot hold the phase",
-        False,
-    ),
-    ("App::PropertyLength", "Lift", "Phase", "Clearance of paced paths between rows", 0.1),
-    ("App::PropertyBool", "SameFlute", "Phase", "One flute makes all dimples", True),
-    ("App::PropertyFloat", "ExtraTurns", "Phase", "Spindle turns added between dimples", 5.0),
-    ("App::PropertyAngle", "PhaseStep", "Phase", "Angle added per dimple, for calibration", 0.0),
-    (
-        "App::PropertyInteger",
-        "Decimals",
-        "Phase",
-        "Decimals of the posted coordinates; must be the post's own",
-        3,
-    ),
-    (
-        "App::PropertyAngle",
-        "PhaseTolerance",
-        "Phase",
-        "Greatest phase error of the posted program",
-        1.0,
-    ),
-]
-RESULTS = [
-    ("App::PropertyInteger", "DimpleCount", "Result", "Dimples that are milled"),
-    ("App::PropertyString", "LeftOut", "Result", "Lattice points left out, by reason"),
-    ("App::PropertyFloat", "TurnsPerDimple", "Result", "Mean spindle turns from dimple to dimple"),
-    ("App::PropertyString", "Verdict", "Result", "Whether the machine can hold the phase"),
-    ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves but rapids, in seconds"),
-]
 
 
 @dataclass
@@ -197,13 +82,18 @@ class ObjectTexture(host.PathOp.ObjectOp):
 
     def opSetDefaultValues(self, obj, job):
         for _, name, _, _, default in PROPERTIES + self.OWN_PROPERTIES:
-            setattr(obj, name, default[0] if isinstance(default, list) else default)
+            setattr(obj, name, default[0] if isinstance(default, list) and default else default)
 
     def _add_properties(self, obj):
-        for kind, name, group, tip, default in PROPERTIES + self.OWN_PROPERTIES:
+        properties = PROPERTIES + self.OWN_PROPERTIES
+        if not hasattr(obj, "TypeId"):  # FreeCAD asks what a setup sheet may hold
+            properties = of_setup_sheet(properties)
+        for kind, name, group, tip, default in properties:
             if not hasattr(obj, name):
                 obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
                 setattr(obj, name, default)  # a list sets an enumeration's choices
+        if not hasattr(obj, "TypeId"):
+            return
         for kind, name, group, tip in RESULTS:
             if not hasattr(obj, name):
                 obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
@@ -225,23 +115,11 @@ class ObjectTexture(host.PathOp.ObjectOp):
             raise
         self.planned = ready.planned
         self.commandlist.extend(ready.commands)
-        self._show_results(obj)
+        show_results(obj, self.planned)
 
     def _ready_or_planned(self, given):
         ready, self.ready = self.ready, None
-        return ready if ready and ready.planned.input == given else prepare(given)
-
-    def _show_results(self, obj):
-        counts = self.planned.counts
-        statistics = self.planned.path.statistics()
-        obj.DimpleCount = counts["cut"]
-        obj.LeftOut = ", ".join(
-            "%s: %d" % (name, n) for name, n in counts.items() if n and name != "cut"
-        )
-        verdict = self.planned.pacing.verdict
-        obj.Verdict = verdict.sentence if verdict else "Unknown: no machine is named."
-        obj.TurnsPerDimple = statistics["cut_turns"] / max(1, counts["cut"])
-        obj.MachiningTime = statistics["timed_seconds"]
+        return ready if ready and ready.planned.asked == given else prepare(given)
 
     def refresh_heights(self, obj):
         """The heights as a recompute would leave them: before the first one FreeCAD's expressions for them
@@ -270,32 +148,48 @@ class ObjectTexture(host.PathOp.ObjectOp):
             tool=_tool(controller),
             spindle=core.Spindle(speed / 60.0, _sense(controller)),
             feed=controller.HorizFeed.Value,
-            safe_height=obj.SafeHeight.Value,
-            clearance_height=obj.ClearanceHeight.Value,
             surface=self.patch_surface(obj),
-            spacing=obj.Spacing.Value,
-            patch_shape=obj.PatchShape,
-            patch_side=obj.PatchSide,
-            patches_x=obj.PatchesX,
-            patches_y=obj.PatchesY,
-            helix_order=obj.HelixOrder,
-            helix_start=obj.HelixStart,
-            direction=tuple(obj.Direction),
-            rotation=obj.Rotation.Value,
             origin=None if obj.AutoOrigin else tuple(obj.Origin),
-            steepest_slope=obj.SteepestSlope.Value,
-            minimum_tilt=obj.MinimumTilt.Value,
-            margin=obj.Margin.Value,
-            minimum_dimples=obj.MinimumDimples,
-            same_flute=obj.SameFlute,
-            extra_turns=obj.ExtraTurns,
-            phase_step=obj.PhaseStep.Value,
-            decimals=obj.Decimals,
-            strategy=obj.Strategy,
-            machine=obj.Machine,
-            lift=obj.Lift.Value,
+            mask=_mask(obj),
             calibrating=self.CALIBRATING,
+            **_values(obj, PROPERTIES + self.OWN_PROPERTIES),
         )
+
+
+def _values(obj, properties):
+    """The fields of TextureInput that are a property's value, by the property's name in snake_case;
+    lengths in mm, angles in degrees."""
+    names = {re.sub(r"(?<!^)([A-Z])", r"_\1", name).lower(): name for _, name, _, _, _ in properties}
+    names.update(safe_height="SafeHeight", clearance_height="ClearanceHeight")
+    names.pop("origin")
+    return {
+        field.name: _plain(getattr(obj, names[field.name]))
+        for field in fields(TextureInput)
+        if field.name in names
+    }
+
+
+def _plain(value):
+    if isinstance(value, FreeCAD.Vector):
+        return tuple(value)
+    return getattr(value, "Value", value)
+
+
+def _mask(obj):
+    """MaskInput of the operation, or None."""
+    if obj.MaskUse == "None":
+        return None
+    return MaskInput(
+        use=obj.MaskUse,
+        image=obj.MaskImage,
+        loops=[] if obj.MaskImage else curve_loops(obj.MaskCurves),
+        invert=obj.MaskInvert,
+        width=obj.MaskWidth.Value,
+        centre=tuple(obj.MaskCentre)[:2],
+        threshold=obj.MaskThreshold,
+        depth_at_black=obj.DepthAtBlack.Value,
+        depth_at_white=obj.DepthAtWhite.Value,
+    )
 
 
 def _face_breps(obj):
@@ -335,7 +229,7 @@ def _sense(controller):
 
 def setup_properties(proxy_class):
     """Names of the properties that a job's setup sheet may hold defaults for."""
-    return [name for _, name, _, _, _ in PROPERTIES + proxy_class.OWN_PROPERTIES]
+    return [row[1] for row in of_setup_sheet(PROPERTIES + proxy_class.OWN_PROPERTIES)]
 
 
 def create(proxy_class, name, obj, parentJob):

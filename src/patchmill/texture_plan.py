@@ -5,13 +5,14 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from dataclasses import dataclass, field
-from math import radians
+from dataclasses import dataclass, field, replace
+from math import degrees, radians
 
 import _patchmill as core
+import numpy as np
 from _patchmill import InputError
 
-from patchmill import machines, strategies
+from patchmill import machines, strategies, texture_mask
 
 
 @dataclass
@@ -25,7 +26,14 @@ class TextureInput:
     safe_height: float
     clearance_height: float
     surface: core.PatchSurface = field(default_factory=lambda: core.PatchSurface("Curved"))
+    # sizes: give what is known, 0 for the rest; in a plan `spacing` is the one that was found
     spacing: float = 0.5
+    texture_kind: str = "Overlapping"
+    depth: float = 0.0
+    dimple_diameter: float = 0.0
+    area_share: float = 0.0
+    ridge_height: float = 0.0
+    mapping: str = "Projected"
     patch_shape: str = "Square"
     patch_side: int = 14
     patches_x: int = 0  # 0 with patches_y: as many as cover the faces
@@ -33,12 +41,15 @@ class TextureInput:
     helix_order: str = "Inward"
     helix_start: str = "Same corner"
     direction: tuple = (0.0, 0.0, -1.0)
+    auto_direction: bool = False  # from where the faces look largest; `direction` is not used
     rotation: float = 0.0
     origin: tuple = None  # None: the middle of the faces as seen along the direction
     steepest_slope: float = 80.0
     minimum_tilt: float = 1.0
+    avoid_rubbing: bool = False
     margin: float = 0.0
     minimum_dimples: int = 0
+    mask: texture_mask.MaskInput = None
     same_flute: bool = True
     extra_turns: float = 5.0
     phase_step: float = 0.0
@@ -49,16 +60,56 @@ class TextureInput:
     calibrating: bool = False  # the machine's start phase is being looked for, not applied
 
 
+VERTICAL = (0.0, 0.0, 1.0)
+
+
 @dataclass
-class PlannedTexture:
-    """A texture with its path and everything a report needs."""
+class PlacedTexture:
+    """Dimples on the faces, before any timing: what a preview shows. `size` is a dict of all sizes (see
+    _patchmill.texture_size); `lattice` a _patchmill.SurfaceLattice, or None if projected."""
 
     input: TextureInput
     plane: core.TexturePlane
     division: core.PatchDivision
     dimples: core.Dimples
-    rule: core.PhaseRule
-    pacing: strategies.Pacing
+    size: dict
+    lattice: core.SurfaceLattice = None
+    asked: TextureInput = None  # as it was given; `input` has its sizes completed
+
+    def places(self):
+        """Texture-plane coordinates [mm] of each lattice point, (n, 2)."""
+        if self.lattice is None:
+            return self.division.places(self.dimples)
+        return self.lattice.places(self.dimples.lattice[:, :2])
+
+    def outlines(self, pieces=8):
+        """Each patch's outline in the texture plane [mm], a list of (k, 2); on a lattice laid on the
+        surface each side is cut into `pieces`, and NaN where the lattice ends."""
+        if self.lattice is None:
+            return self.division.outlines()
+        share = np.arange(pieces)[:, None] / pieces
+        found = []
+        for corners in self.division.lattice_outlines():
+            sides = [a + share * (b - a) for a, b in zip(corners, np.roll(corners, -1, axis=0))]
+            found.append(self.lattice.places(np.concatenate(sides)))
+        return found
+
+    def spread(self):
+        """Distances of neighbouring dimples as measured: see _patchmill.spacing_spread."""
+        return core.spacing_spread(self.dimples, self.division.pattern)
+
+    def rubbing(self):
+        """How many milled dimples are so near to the tool's tip that it rubs in them."""
+        tilts = core.tilts(self.dimples, VERTICAL)[self.dimples.states == 0]
+        return int((tilts < self.size["least_tilt"]).sum())
+
+
+@dataclass
+class PlannedTexture(PlacedTexture):
+    """A texture with its path and everything a report needs."""
+
+    rule: core.PhaseRule = None
+    pacing: strategies.Pacing = None
     machine: machines.Machine = None
     counts: dict = field(default_factory=dict)
 
@@ -82,11 +133,10 @@ class PlannedTexture:
         return core.predicted_phase(self.path, self.machine.model, self.dimples, self.rule)
 
 
-VERTICAL = (0.0, 0.0, 1.0)
-
-
 def _plane(given, origin):
     direction = given.direction
+    if given.auto_direction:
+        direction = tuple(-core.facing(given.breps))
     along_x = abs(direction[0]) > 0.9 * sum(c * c for c in direction) ** 0.5
     hint = (0.0, 1.0, 0.0) if along_x else (1.0, 0.0, 0.0)
     return core.texture_plane(origin, direction, hint, radians(given.rotation))
@@ -108,10 +158,32 @@ def _sampler(given):
     return plane, sampler, low, high
 
 
-def _division(given, low, high):
-    pattern = core.PatchPattern(
-        given.patch_shape, given.spacing, given.patch_side, given.helix_order, given.helix_start
+def _size(given):
+    """All sizes of the texture. Raises InputError naming the one that is missing or at odds."""
+    return core.texture_size(
+        given.texture_kind,
+        given.patch_shape,
+        given.tool.radius,
+        spacing=given.spacing or None,
+        depth=given.depth or None,
+        diameter=given.dimple_diameter or None,
+        area_share=given.area_share or None,
+        ridge_height=given.ridge_height or None,
     )
+
+
+def _require_apart(given):
+    """Isolated dimples must not touch at the greatest depth that a mask gives them either."""
+    mask = given.mask
+    if given.texture_kind != "Isolated" or mask.use != texture_mask.DEPTH:
+        return
+    deepest = max(mask.depth_at_black, mask.depth_at_white)
+    shape, radius = given.patch_shape, given.tool.radius
+    if deepest > 0.0:
+        core.texture_size("Isolated", shape, radius, spacing=given.spacing, depth=deepest)
+
+
+def _require_room(given, pattern, low, high):
     outline = core.patch_block(pattern, 1, 1).outlines()[0]
     size, room = outline.max(axis=0) - outline.min(axis=0), high - low
     if (size > room).any():
@@ -121,36 +193,90 @@ def _division(given, low, high):
             "a patch of %.3f x %.3f mm is larger than the faces (%.3f x %.3f mm seen along the "
             "projection direction): choose a smaller side." % (*size, *room),
         )
-    if given.patches_x == 0 and given.patches_y == 0:
-        return core.cover(pattern, low, high)
-    return core.patch_block(pattern, given.patches_x, given.patches_y)
 
 
-@dataclass
-class PlacedTexture:
-    """Dimples on the faces, before any timing: what a preview shows."""
+def _division(given, plane, sampler, low, high, progress):
+    """The patches, and the lattice laid on the surface or None; None if `progress` returned False."""
+    pattern = core.PatchPattern(
+        given.patch_shape, given.spacing, given.patch_side, given.helix_order, given.helix_start
+    )
+    covering = given.patches_x == 0 and given.patches_y == 0
+    if given.mapping not in ("Projected", "On surface"):
+        raise InputError("Mapping", given.mapping, "give Projected or On surface.")
+    if given.mapping == "Projected":
+        _require_room(given, pattern, low, high)
+        if covering:
+            return core.cover(pattern, low, high), None
+        return core.patch_block(pattern, given.patches_x, given.patches_y), None
+    start = _start(given, sampler, low, high)
+    lattice = core.lay_lattice(pattern, sampler, plane, start, low, high, progress)
+    if lattice is None:
+        return None
+    if covering:
+        return core.cover_lattice(pattern, lattice, low, high), lattice
+    division = core.patch_block(pattern, given.patches_x, given.patches_y)
+    return division, lattice.counted_from(division.anchor, pattern)
 
-    input: TextureInput
-    plane: core.TexturePlane
-    division: core.PatchDivision
-    dimples: core.Dimples
+
+def _start(given, sampler, low, high):
+    """Where a lattice laid on the surface begins: the texture's origin, or, if that is automatic and off
+    the faces, the nearest place on them."""
+    origin = np.zeros(2)
+    if given.origin is None:
+        return core.nearest_start(origin, low, high, sampler)
+    if sampler.sample(origin[None])["states"][0] != 0:
+        raise InputError(
+            "Origin",
+            "(%g, %g, %g) mm" % tuple(given.origin),
+            "a texture on the surface begins there, and no face can be cut there: move it.",
+        )
+    return origin
 
 
 def place_texture(given, progress=None):
     """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
 
     Raises InputError naming the property that is wrong."""
-    if not given.spacing > 0.0:  # also NaN; before the faces are looked at
-        raise InputError("Spacing", "%g mm" % given.spacing, "give a value greater than zero.")
+    asked, size = given, _size(given)  # before the faces are looked at
+    given = replace(given, spacing=size["spacing"])
     plane, sampler, low, high = _sampler(given)
-    division = _division(given, low, high)
-    dimples = sampler.place(division, plane, given.surface, progress)
+    divided = _division(given, plane, sampler, low, high, progress)
+    if divided is None:
+        return None
+    division, lattice = divided
+    dimples = sampler.place(division, plane, given.surface, lattice, progress)
     if dimples is None:
         return None
+    core.sink(dimples, size["sunk"])
     core.keep_off_borders(dimples, given.breps, given.margin)
-    core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
+    placed = PlacedTexture(given, plane, division, dimples, size, lattice, asked)
+    if given.mask:
+        _require_apart(given)
+        mask = texture_mask.make_mask(given.mask, plane, low, high)
+        texture_mask.apply_mask(given.mask, mask, dimples, division, lattice)
+    _keep_off_tip(placed)
     core.drop_slivers(dimples, given.minimum_dimples)
-    return PlacedTexture(given, plane, division, dimples)
+    return placed
+
+
+def _keep_off_tip(placed):
+    """Leaves out what the tip of the ball would rub. Raises InputError naming AvoidRubbing if it would
+    rub in all of them."""
+    given, dimples = placed.input, placed.dimples
+    core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
+    least = placed.size["least_tilt"]
+    if not given.avoid_rubbing or least <= radians(given.minimum_tilt):
+        return
+    tilts = core.tilts(dimples, VERTICAL)[dimples.states == 0]
+    if len(tilts) and tilts.max() <= least:
+        raise InputError(
+            "AvoidRubbing",
+            "true",
+            "in dimples %.4g mm deep the tip of the ball would rub under a tilt of %.3f degrees, and "
+            "the faces have %.3f at most: incline the part or choose shallower dimples."
+            % (placed.size["depth"], degrees(least), degrees(tilts.max())),
+        )
+    core.mark_tool_tip(dimples, VERTICAL, least)
 
 
 def plan_texture(given, progress=None):
@@ -160,17 +286,14 @@ def plan_texture(given, progress=None):
     placed = place_texture(given, progress)
     if placed is None:
         return None
-    dimples = placed.dimples
+    given, dimples = placed.input, placed.dimples
     rule = core.PhaseRule(given.same_flute, given.extra_turns, radians(given.phase_step))
     machine = machines.load(given.machine) if given.machine else None
     pacing = strategies.make(given, dimples, rule, machine)
     return PlannedTexture(
-        given,
-        placed.plane,
-        placed.division,
-        dimples,
-        rule,
-        pacing,
-        machine,
-        dict(dimples.counts()),
+        **vars(placed),
+        rule=rule,
+        pacing=pacing,
+        machine=machine,
+        counts=dict(dimples.counts()),
     )

@@ -1,6 +1,8 @@
-// Names and counts of dimple states.
+// Names and counts of dimple states; depth.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/patch/dimple.h"
+
+#include "core/geometry/error.h"
 
 namespace patchmill {
 
@@ -28,6 +30,11 @@ const char* name(DimpleState state) {
       return "off the net";
   }
   return "?";
+}
+
+void sink(Dimples& dimples, double depth) {
+  require_in_range("Depth", depth, 0.0, 1e3, "mm");
+  for (Dimple& dimple : dimples) dimple.depth = depth;
 }
 
 std::array<std::int64_t, kDimpleStates> count_states(const Dimples& dimples) {

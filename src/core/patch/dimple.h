@@ -51,6 +51,10 @@ struct Dimple {
 /// number is its index here.
 using Dimples = std::vector<Dimple>;
 
+/// Puts the bottoms of all dimples `depth` [mm] below the surface: isolated dimples, all alike.
+/// Errors: InputError naming Depth if it is negative or not finite.
+void sink(Dimples& dimples, double depth);
+
 /// How many dimples there are of each state, indexed by DimpleState; the sum is dimples.size().
 std::array<std::int64_t, kDimpleStates> count_states(const Dimples& dimples);
 

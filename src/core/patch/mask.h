@@ -28,6 +28,11 @@ Mask image_mask(Image image, const Box2& area, double outside = 0.0);
 /// Errors: InputError naming Curves if a loop has fewer than three points or is not finite.
 Mask curve_mask(std::vector<Polygon> loops);
 
+/// 1 - mask.
+inline Mask inverted(Mask mask) {
+  return [mask = std::move(mask)](const Vec2& p) { return 1.0 - mask(p); };
+}
+
 /// Cut dimples where the mask is below `threshold` become Masked.
 /// Errors (all three): InputError naming what is out of its range.
 void keep_where(Dimples& dimples, const LatticePlace& place_of, const Mask& mask,

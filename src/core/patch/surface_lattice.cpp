@@ -42,6 +42,36 @@ SurfacePoint require_start(const LatticeRequest& r, const SurfaceSampler& sample
   return sample[0].point;
 }
 
+Vec2 nearest_start(const Vec2& wanted, const Box2& area, const SurfaceSampler& sampler) {
+  if (area.isEmpty() || !area.min().allFinite() || !area.max().allFinite())
+    throw InputError("Area", "empty", "give an area with finite corners.");
+  constexpr int kGrid = 64;
+  std::vector<Vec2> places{wanted};
+  for (int i = 0; i < kGrid; ++i)
+    for (int j = 0; j < kGrid; ++j)
+      places.push_back(area.min() +
+                       area.sizes().cwiseProduct(Vec2(i + 0.5, j + 0.5) / double(kGrid)));
+  const std::vector<SurfaceSample> samples = sampler(places);
+  const Vec2* best = nullptr;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (samples[k].state == DimpleState::Cut &&
+        (!best || (places[k] - wanted).norm() < (*best - wanted).norm()))
+      best = &places[k];
+  if (!best)
+    throw InputError("Start", fmt::format("({:.6g}, {:.6g}) mm", wanted.x(), wanted.y()),
+                     "no place of the faces can be cut from this direction: choose another "
+                     "direction, a steeper limit or other faces.");
+  return *best;
+}
+
+SurfaceLattice counted_from(const SurfaceLattice& lattice, const Vec2& flat, LatticeKind kind,
+                            double spacing) {
+  const Vec2 shift = lattice_coordinates(kind, spacing, flat).array().round();
+  const Vec2 moved = lattice_place(kind, spacing, shift);
+  return {[place_of = lattice.place_of, shift](const Vec2& p) { return place_of(p + shift); },
+          Box2(lattice.flat.min() - moved, lattice.flat.max() - moved)};
+}
+
 PatchDivision cover(const PatchPattern& pattern, const SurfaceLattice& lattice, const Box2& area,
                     std::int64_t max_dimples) {
   require_valid(pattern);

@@ -65,6 +65,15 @@ std::optional<SurfaceLattice> low_distortion_lattice(const LatticeRequest& reque
                                                      const SurfaceSampler& sampler,
                                                      const Progress& progress = {});
 
+/// The place nearest to `wanted` that can be cut: `wanted` itself, or one of a grid of 64 x 64 over
+/// `area`. Errors: InputError naming Start if there is none, Area if it is empty or not finite.
+Vec2 nearest_start(const Vec2& wanted, const Box2& area, const SurfaceSampler& sampler);
+
+/// The lattice with another of its points as (0, 0): that next to `flat`, a place of the lattice
+/// spread out flat [mm]. It is what carries a block of patches, whose anchor is `flat`.
+SurfaceLattice counted_from(const SurfaceLattice& lattice, const Vec2& flat, LatticeKind kind,
+                            double spacing);
+
 /// The patches that have lattice points with places in `area`. The division's anchor is the place
 /// of lattice point (0, 0), where hexagons have their centre and the others a corner. Errors: as
 /// for cover() of an area.

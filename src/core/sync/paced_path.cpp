@@ -59,7 +59,8 @@ std::vector<Planned> plan(const Dimples& dimples, double radius, const Decimals&
   for (std::size_t k = 0; k < dimples.size(); ++k) {
     if (dimples[k].state != DimpleState::Cut) continue;
     const Vec3& n = dimples[k].surface.normal;
-    const Vec3 tip = dimples[k].surface.position + radius * (n - Vec3::UnitZ());
+    const Vec3 centre = dimples[k].surface.position + (radius - dimples[k].depth) * n;
+    const Vec3 tip = centre - radius * Vec3::UnitZ();
     planned.push_back({decimals.round(tip), n, contact_azimuth(n), static_cast<std::int32_t>(k),
                        dimples[k].patch});
   }

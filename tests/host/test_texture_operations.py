@@ -1,0 +1,301 @@
+"""What the texture operations offer beyond the paper's experiment: lattices on the surface, sizes, masks,
+fitted direction, the advisor; old documents and setup sheets.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import math
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import _patchmill as core
+import FreeCAD
+import numpy as np
+import Part
+import patchmill
+from patchmill import host, texture_mask
+from patchmill.texture_properties import PROPERTIES, RESULTS
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from recipe import small_job  # noqa: E402
+
+V = FreeCAD.Vector
+
+
+def job_on(shape, face, kind="CurvedTexture", diameter=2.0):
+    """(document, operation) with a texture on one face of a shape."""
+    document = FreeCAD.newDocument("texture")
+    part = document.addObject("Part::Feature", "Part")
+    part.Shape = shape
+    document.recompute()
+    job = host.create_job("Job", [part])
+    host.add_ball_end_controller(job, diameter, 2, 600.0, 1000.0)
+    operation = getattr(patchmill, kind).Create("Texture", parentJob=job)
+    operation.Base = [(job.Model.Group[0], [face])]
+    operation.PatchSide = 6
+    return document, operation
+
+
+def tilted_box(angle=30.0):
+    """A box of 20 x 16 mm whose top, the highest face, is inclined about Y."""
+    box = Part.makeBox(20, 16, 5, V(-10, -8, -5))
+    box.rotate(V(0, 0, 0), V(0, 1, 0), angle)
+    top = max(range(6), key=lambda k: box.Faces[k].normalAt(0, 0).z)
+    return box, "Face%d" % (top + 1)
+
+
+class WithDocuments(unittest.TestCase):
+    def tearDown(self):
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+
+    def assert_refused(self, operation, name):
+        with self.assertRaises(patchmill.InputError) as caught:
+            patchmill.recompute(operation)
+        self.assertEqual(caught.exception.property, name)
+
+
+class OnTheSurface(WithDocuments):
+    def test_spacing_is_kept_along_an_inclined_plane(self):
+        for shape in ("Square", "Hexagon", "Triangle"):
+            box, face = tilted_box(40.0)
+            document, operation = job_on(box, face)
+            operation.PatchShape, operation.PatchSide = shape, 5 if shape != "Hexagon" else 3
+            patchmill.recompute(operation)
+            stretched = 0.5 / math.cos(math.radians(40.0))
+            self.assertAlmostEqual(operation.SpacingGreatest.Value, stretched, 6)
+            operation.Mapping = "On surface"
+            plan = patchmill.recompute(operation)
+            self.assertGreater(plan.counts["cut"], 800)
+            self.assertAlmostEqual(operation.SpacingLeast.Value, 0.5, 6)
+            self.assertAlmostEqual(operation.SpacingGreatest.Value, 0.5, 6)
+            right = 90.0 if shape == "Square" else 60.0
+            self.assertAlmostEqual(operation.LatticeAngleLeast.Value, right, 3)
+            self.tearDown()
+
+    def test_a_block_of_patches_is_centred(self):
+        box, face = tilted_box(40.0)
+        document, operation = job_on(box, face)
+        operation.Mapping, operation.PatchesX, operation.PatchesY = "On surface", 2, 2
+        plan = patchmill.recompute(operation)
+        self.assertEqual(plan.counts["cut"], 4 * 36)
+        middle = plan.dimples.positions.mean(axis=0) - plan.plane.origin
+        self.assertLess(np.linalg.norm(middle), 0.5)
+        outline = np.concatenate(plan.outlines())
+        places = plan.places()
+        self.assertTrue((outline.min(axis=0) < places.min(axis=0)).all())
+        self.assertTrue((outline.max(axis=0) > places.max(axis=0)).all())
+
+    def test_it_begins_on_the_faces(self):
+        ring = Part.makeCylinder(10, 4).cut(Part.makeCylinder(5, 4))
+        ring.rotate(V(0, 0, 0), V(0, 1, 0), 10.0)
+        top = max(range(4), key=lambda k: ring.Faces[k].CenterOfMass.z)
+        document, operation = job_on(ring, "Face%d" % (top + 1), "PlanarTexture")
+        operation.Mapping = "On surface"
+        plan = patchmill.recompute(operation)
+        self.assertGreater(plan.counts["cut"], 500)
+        operation.AutoOrigin, operation.Origin = False, V(0, 0, 4)
+        self.assert_refused(operation, "Origin")
+
+
+class Sizes(WithDocuments):
+    def setUp(self):
+        self.document, self.job, self.operation = small_job()
+
+    def test_isolated_dimples_are_sunk(self):
+        op = self.operation
+        top = patchmill.recompute(op).path
+        op.TextureKind, op.Depth = "Isolated", 0.02
+        plan = patchmill.recompute(op)
+        self.assertAlmostEqual(op.FoundDiameter.Value, 0.397995, 5)
+        self.assertAlmostEqual(op.RubbingTilt.Value, 11.478, 3)
+        deeper = [p.tips[p.dimples >= 0] for p in (top, plan.path)]
+        drop = deeper[0] - deeper[1]  # along the normals, within the decimals
+        number = plan.path.dimples[plan.path.dimples >= 0]
+        normals = plan.dimples.normals[number]
+        self.assertLess(np.abs(drop - 0.02 * normals).max(), 1.01e-3)
+
+    def test_paced_paths_are_sunk_too(self):
+        op = self.operation
+        op.Strategy, op.Machine, op.SameFlute, op.ExtraTurns = "Spindle-locked", "linuxcnc-mill", 0, 0
+        op.TextureKind, op.Depth, op.Decimals = "Isolated", 0.02, 4
+        op.PostUnheld = True
+        plan = patchmill.recompute(op)
+        number = plan.path.dimples[plan.path.dimples >= 0]
+        tips = plan.path.tips[plan.path.dimples >= 0]
+        touch = tips + [0, 0, 1.0] - 0.98 * plan.dimples.normals[number]
+        self.assertLess(np.abs(touch - plan.dimples.positions[number]).max(), 0.51e-4)
+
+    def test_spacing_from_ridge_height(self):
+        self.operation.Spacing, self.operation.RidgeHeight = 0.0, 0.03175416344814578
+        patchmill.recompute(self.operation)
+        self.assertAlmostEqual(self.operation.FoundSpacing.Value, 0.5, 9)
+
+    def test_contradictions_are_named(self):
+        op = self.operation
+        op.RidgeHeight = 0.05
+        self.assert_refused(op, "RidgeHeight")
+        op.RidgeHeight, op.TextureKind, op.Depth = 0.0, "Isolated", 0.1
+        self.assert_refused(op, "Spacing")  # they touch
+        op.Depth = 0.0
+        self.assert_refused(op, "Depth")
+
+    def test_rubbing_is_counted_and_avoided(self):
+        op = self.operation
+        op.TextureKind, op.Depth = "Isolated", 0.02
+        plan = patchmill.recompute(op)
+        tilts = np.degrees(core.tilts(plan.dimples, (0, 0, 1)))
+        self.assertEqual(op.RubbingDimples, (tilts < op.RubbingTilt.Value).sum())
+        self.assertGreater(op.RubbingDimples, 0)
+        op.AvoidRubbing = True
+        if (tilts > op.RubbingTilt.Value).any():
+            patchmill.recompute(op)
+            self.assertEqual(op.RubbingDimples, 0)
+        else:
+            self.assert_refused(op, "AvoidRubbing")
+
+    def test_a_plane_that_is_not_inclined_rubs_everywhere(self):
+        box, face = tilted_box(5.0)
+        document, op = job_on(box, face)
+        op.TextureKind, op.Depth, op.AvoidRubbing = "Isolated", 0.02, True
+        self.assert_refused(op, "AvoidRubbing")
+        op.Depth = 0.002  # asin(D / 2R) = 3.62°
+        patchmill.recompute(op)
+        self.assertEqual(op.RubbingDimples, 0)
+
+
+class Masks(WithDocuments):
+    def setUp(self):
+        box, face = tilted_box(10.0)
+        self.document, self.operation = job_on(box, face)
+        self.operation.TextureKind, self.operation.Depth = "Isolated", 0.01
+
+    def picture(self, pixels):
+        from matplotlib import image
+
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        name = str(pathlib.Path(folder.name) / "mask.png")
+        image.imsave(name, pixels, cmap="gray", vmin=0.0, vmax=1.0)
+        return name
+
+    def cut_places(self):
+        plan = patchmill.recompute(self.operation)
+        self.assertEqual(sum(plan.counts.values()), len(plan.dimples))
+        return plan.places()[plan.dimples.states == 0], plan
+
+    def test_a_picture_leaves_out(self):
+        pixels = np.ones((20, 20))
+        pixels[:10, :10] = 0.0  # the upper left quarter
+        self.operation.MaskUse, self.operation.MaskImage = "Leave out", self.picture(pixels)
+        self.operation.MaskWidth = 10.0
+        places, plan = self.cut_places()
+        self.assertFalse(((places[:, 0] < -0.3) & (places[:, 1] > 0.3)).any())
+        for x, y in ((1, 1), (1, -1), (-1, -1)):
+            self.assertGreater(((x * places[:, 0] > 0) & (y * places[:, 1] > 0)).sum(), 80)
+        self.assertLess(np.abs(places).max(), 5.0)
+        self.assertGreater(plan.counts["masked"], 0)
+        self.operation.MaskInvert = True
+        self.assertTrue((self.cut_places()[0] @ [-1, 1] > 0).all())
+
+    def test_density_and_depth(self):
+        self.operation.MaskImage = self.picture(np.full((8, 8), 0.5))
+        self.operation.MaskUse, self.operation.MaskWidth = "Density", 12.0
+        places, plan = self.cut_places()
+        inside = np.abs(plan.places()).max(axis=1) < 6.0
+        self.assertAlmostEqual(len(places) / inside.sum(), 0.5, delta=0.03)
+        self.operation.MaskUse, self.operation.DepthAtWhite = "Depth", 0.02
+        self.assertAlmostEqual(self.cut_places()[1].dimples.depths.max(), 0.01, 4)
+        self.operation.DepthAtWhite = 0.1
+        self.assert_refused(self.operation, "Spacing")
+
+    def test_inside_of_curves_with_a_hole(self):
+        ring = self.document.addObject("Part::Feature", "Ring")
+        ring.Shape = Part.makeCompound([Part.Wire(Part.makeCircle(r)) for r in (6.0, 3.0)])
+        self.operation.MaskUse, self.operation.MaskCurves = "Leave out", [ring]
+        self.operation.AutoOrigin = False
+        places, plan = self.cut_places()
+        distance = np.linalg.norm(places, axis=1)
+        self.assertGreater(len(places), 200)
+        self.assertTrue((distance > 2.99).all() and (distance < 6.01).all())
+        self.operation.MaskInvert = True
+        distance = np.linalg.norm(self.cut_places()[0], axis=1)
+        self.assertTrue(((distance < 3.01) | (distance > 5.99)).all())
+
+    def test_bad_masks_are_named(self):
+        self.operation.MaskUse = "Leave out"
+        self.assert_refused(self.operation, "MaskUse")
+        self.operation.MaskImage = "/nowhere/at-all.png"
+        self.assert_refused(self.operation, "MaskImage")
+        self.operation.MaskImage = __file__
+        self.assert_refused(self.operation, "MaskImage")
+        self.operation.MaskImage = ""
+        line = self.document.addObject("Part::Feature", "Line")
+        line.Shape = Part.makePolygon([V(0, 0, 0), V(1, 0, 0), V(1, 1, 0)])
+        self.operation.MaskCurves = [line]
+        self.assert_refused(self.operation, "MaskCurves")
+
+    def test_transparent_pixels_are_white(self):
+        pixels = np.zeros((2, 2, 4))
+        pixels[0, 0, 3] = 1.0  # one opaque black pixel
+        grey = texture_mask.read_grey(self.picture(pixels))
+        self.assertTrue((np.round(grey, 6) == [[0, 1], [1, 1]]).all())
+
+
+class TheDirection(WithDocuments):
+    def test_is_fitted_to_the_faces(self):
+        box, face = tilted_box(25.0)
+        document, operation = job_on(box, face)
+        operation.AutoDirection = True
+        patchmill.recompute(operation)
+        wanted = V(-math.sin(math.radians(25)), 0, -math.cos(math.radians(25)))
+        self.assertLess((operation.FoundDirection - wanted).Length, 1e-9)
+        self.assertAlmostEqual(operation.SpacingGreatest.Value, 0.5, 9)
+
+    def test_of_a_whole_cylinder_is_refused(self):
+        document, operation = job_on(Part.makeCylinder(10, 20), "Face1")
+        operation.AutoDirection = True
+        self.assert_refused(operation, "AutoDirection")
+
+
+class TheAdvisor(unittest.TestCase):
+    def test_proposals_are_aligned(self):
+        wish = dict(diameter=2.0, flutes=2, speed=1000.0, side=14.0, spacing=0.5, cross_feed=0.505)
+        self.assertIn("drifting", patchmill.mark_state(**wish))
+        proposals = patchmill.advise(**wish)
+        self.assertEqual(proposals[0].kept, "nothing")
+        for p in proposals:
+            self.assertIn("square", p.state)
+            again = dict(wish, side=p.side, spacing=p.feed_per_tooth, cross_feed=p.cross_feed)
+            self.assertIn("square", patchmill.mark_state(**again))
+            self.assertAlmostEqual(p.feed, p.feed_per_tooth * 2 * 1000.0, 9)
+
+
+class Documents(WithDocuments):
+    def test_old_ones_get_the_new_properties(self):
+        document, job, operation = small_job()
+        names = [row[1] for row in PROPERTIES + RESULTS]
+        new = [n for n in names if n not in ("Spacing", "PatchSide", "PatchesX", "PatchesY")]
+        for name in new:
+            operation.removeProperty(name)
+        operation.Proxy.opOnDocumentRestored(operation)
+        for name in new:
+            self.assertTrue(hasattr(operation, name), name)
+        operation.AutoOrigin, operation.Origin = False, V(-15, -10, 0)
+        self.assertEqual(patchmill.recompute(operation).counts["cut"], 144)
+
+    def test_setup_sheets_know_the_properties(self):
+        from PathScripts import PathSetupSheet
+
+        small_job()
+        known = PathSetupSheet._RegisteredOps["CurvedTexture"]
+        prototype = known.prototype("CurvedTexture")
+        for name in known.properties():
+            self.assertEqual(prototype.getProperty(name).name, name)
+
+
+if __name__ == "__main__":
+    result = unittest.main(exit=False, verbosity=2).result
+    sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
