@@ -55,7 +55,7 @@ def read_grey(filename):
 
 
 def curve_loops(objects):
-    """Closed loops of the objects' wires as tuples of points in space. Raises InputError naming MaskCurves."""
+    """Closed loops of the objects' wires: tuples of points in space. Raises InputError naming MaskCurves."""
     loops = []
     for obj in objects:
         wires = getattr(getattr(obj, "Shape", None), "Wires", [])
