@@ -14,6 +14,7 @@ import Path
 
 VERSION = tuple(int(v) for v in FreeCAD.Version()[:2])
 
+from patchmill import hooks  # noqa: E402
 import PathScripts.PathUtils as PathUtils  # noqa: E402  the same name in all versions
 
 if VERSION >= (0, 21):
@@ -63,7 +64,7 @@ __all__ = [
 
 def create_job(name, models):
     """A Job over `models` (document objects) as the GUI would make it, with one tool controller."""
-    return PathJob.Create(name, models)
+    return hooks.announce(PathJob.Create(name, models))
 
 
 def tool_controllers(job):
@@ -98,6 +99,8 @@ def make_ball_end_mill(diameter_mm, flutes, label="Ball end mill"):
             import PathScripts.PathToolBit as PathToolBit
         bit = PathToolBit.Factory.CreateFromAttrs(attributes, "ToolBit")
     bit.Flutes = flutes
+    if bit.ViewObject:
+        bit.ViewObject.Visibility = False  # it would stand at the origin, in the part
     return bit
 
 
@@ -132,7 +135,10 @@ def add_ball_end_controller(
 ):
     """Gives a tool controller, the job's first if None, a ball end mill; returns the controller."""
     controller = controller or tool_controllers(job)[0]
+    replaced = controller.Tool
     controller.Tool = make_ball_end_mill(diameter_mm, flutes)
+    if replaced and not replaced.InList:
+        replaced.Document.removeObject(replaced.Name)
     controller.Label = "Ball end mill %g mm" % diameter_mm
     controller.HorizFeed = feed_mm_min / 60.0
     controller.VertFeed = feed_mm_min / 60.0

@@ -14,7 +14,7 @@ import FreeCAD
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import host
+from patchmill import hooks, host
 from patchmill.texture_mask import MaskInput, curve_loops
 from patchmill.texture_plan import PlannedTexture, TextureInput, plan_texture
 from patchmill.texture_properties import PROPERTIES, RESULTS, of_setup_sheet
@@ -227,6 +227,11 @@ def _sense(controller):
     return senses[controller.SpindleDir]
 
 
+def property_table(obj):
+    """The operation's properties that a user sets, as (type, name, group, tip, default)."""
+    return PROPERTIES + obj.Proxy.OWN_PROPERTIES
+
+
 def setup_properties(proxy_class):
     """Names of the properties that a job's setup sheet may hold defaults for."""
     return [row[1] for row in of_setup_sheet(PROPERTIES + proxy_class.OWN_PROPERTIES)]
@@ -237,7 +242,7 @@ def create(proxy_class, name, obj, parentJob):
     if obj is None:
         obj = FreeCAD.ActiveDocument.addObject("Path::FeaturePython", name)
     obj.Proxy = proxy_class(obj, name, parentJob)
-    return obj
+    return hooks.announce(obj)
 
 
 def recompute(obj):

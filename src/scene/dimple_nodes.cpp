@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t kChunk = 1024;    // dimples that are shown or simplified together
 constexpr float kPixelsOfDisc = 12.0f;  // a disc with less of the screen becomes a point
+constexpr double kLift =
+    0.3;  // of the disc's radius: above the host's own, coarser triangles of the face
 constexpr std::array<Rgba, 2> kOrderColours{0x1b3a57ff, 0xa34a00ff};
 
 bool has_place(const Dimple& dimple) {
@@ -30,11 +32,12 @@ std::array<Vec3, 2> tangents(const Vec3& normal) {
 void add_disc(Triangles& triangles, const Dimple& dimple, double radius) {
   const auto [a, b] = tangents(dimple.surface.normal);
   const auto first = static_cast<std::int32_t>(triangles.vertices.size());
+  const Vec3 middle = dimple.surface.position + kLift * radius * dimple.surface.normal;
   constexpr int kCorners = 6;
   for (int i = 0; i < kCorners; ++i) {
     const double turn = i * (2.0 * M_PI / kCorners);
     triangles.vertices.push_back(
-        single(dimple.surface.position + radius * (std::cos(turn) * a + std::sin(turn) * b)));
+        single(middle + radius * (std::cos(turn) * a + std::sin(turn) * b)));
     triangles.colours.push_back(state_colour(dimple.state));
   }
   for (int i = 1; i + 1 < kCorners; ++i)
@@ -48,7 +51,7 @@ SoSeparator* chunk_node(const std::vector<const Dimple*>& dimples, double radius
   std::vector<Rgba> colours;
   for (const Dimple* dimple : dimples) {
     add_disc(discs, *dimple, radius);
-    points.push_back(single(dimple->surface.position));
+    points.push_back(single(dimple->surface.position + kLift * radius * dimple->surface.normal));
     colours.push_back(state_colour(dimple->state));
   }
   auto* detail = new SoLevelOfDetail;
@@ -92,7 +95,7 @@ SoSeparator* dimple_node(const Dimples& dimples, double radius) {
 SoSeparator* order_node(const Dimples& dimples, double spacing) {
   constexpr int kStepsToAnArrow = 4;
   Polylines lines, heads;
-  const double lift = 0.05 * spacing;
+  const double lift = 0.2 * spacing;
   const Dimple* before = nullptr;
   std::size_t first = 0;
   int step = 0;

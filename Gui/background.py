@@ -1,0 +1,72 @@
+"""Work off the GUI thread: one job at a time, the newest wins, each can be cancelled.
+
+The work is a function `work(progress)` that calls progress(share) now and then and stops when that returns
+False. It runs in a thread of its own; what it gives comes back to the GUI thread as a signal.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import threading
+import time
+
+from PySide import QtCore
+
+
+class Background(QtCore.QObject):
+    """Signals, all in the GUI thread: `progressed(share, seconds left)`, `finished(result)`,
+    `failed(exception)`. A cancelled job gives none of the last two."""
+
+    progressed = QtCore.Signal(float, float)
+    finished = QtCore.Signal(object)
+    failed = QtCore.Signal(object)
+    _arrived = QtCore.Signal(int, str, object)
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self._number = 0
+        self._running = 0
+        self._arrived.connect(self._deliver, QtCore.Qt.QueuedConnection)
+
+    def start(self, work):
+        """Cancels what is running and starts `work`."""
+        self._number += 1
+        self._running = self._number
+        thread = threading.Thread(target=self._run, args=(work, self._number), daemon=True)
+        thread.start()
+
+    def cancel(self):
+        """Whatever is running will stop at its next look, and say nothing."""
+        self._number += 1
+        self._running = 0
+
+    @property
+    def busy(self):
+        return self._running != 0
+
+    def _run(self, work, number):
+        began = last = time.monotonic()
+
+        def progress(share):
+            nonlocal last
+            now = time.monotonic()
+            if now - last > 0.1:
+                last = now
+                left = (now - began) * (1.0 - share) / share if share > 0.0 else 0.0
+                self._arrived.emit(number, "progressed", (share, left))
+            return number == self._number
+
+        try:
+            result = work(progress)
+        except Exception as error:  # delivered to whoever asked, in the GUI thread
+            self._arrived.emit(number, "failed", error)
+        else:
+            self._arrived.emit(number, "finished", result)
+
+    def _deliver(self, number, what, value):
+        if number != self._number:
+            return
+        if what == "progressed":
+            self.progressed.emit(*value)
+            return
+        self._running = 0
+        getattr(self, what).emit(value)

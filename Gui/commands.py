@@ -1,0 +1,252 @@
+"""The workbench's commands. Each is thin: what it does is a function of `patchmill` or a panel.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import importlib
+import os
+
+import FreeCAD
+import FreeCADGui
+from FreeCAD import Qt
+from _patchmill import InputError
+from patchmill import host, quick_setup
+from patchmill.texture_operation import ObjectTexture, planned
+from patchmill.translate import QT_TRANSLATE_NOOP
+from PySide import QtGui
+
+from patchmill_gui.resources import icon, native, path
+from patchmill_gui.texture_panel import TexturePage
+
+
+def translate(text):
+    return Qt.translate("PatchMill", text)
+
+
+def say(text):
+    """A sentence that the user has to see."""
+    QtGui.QMessageBox.information(FreeCADGui.getMainWindow(), "PatchMill", text)
+
+
+def selected_faces():
+    """(document object, names of its selected faces) of the first selected object that has any, or None.
+    An object selected as a whole is its faces if it has one face only."""
+    for selection in FreeCADGui.Selection.getSelectionEx():
+        names = [name for name in selection.SubElementNames if name.startswith("Face")]
+        shape = getattr(selection.Object, "Shape", None)
+        if not names and not selection.SubElementNames and shape and len(shape.Faces) == 1:
+            names = ["Face1"]
+        if names:
+            return selection.Object, names
+    return None
+
+
+def selected_texture():
+    """The selected texture operation; the document's only one if none is selected; else None."""
+    selected = [o for o in FreeCADGui.Selection.getSelection() if _is_texture(o)]
+    if not selected and FreeCAD.ActiveDocument:
+        selected = [o for o in FreeCAD.ActiveDocument.Objects if _is_texture(o)]
+    return selected[0] if len(selected) == 1 else None
+
+
+def _is_texture(obj):
+    return isinstance(getattr(obj, "Proxy", None), ObjectTexture)
+
+
+class Command:
+    """NAME, TEXT, TIP and ACCEL of a command; the icon is Resources/icons/NAME.svg."""
+
+    NAME = TEXT = TIP = ACCEL = ""
+
+    def GetResources(self):
+        resources = {"Pixmap": icon(self.NAME), "MenuText": self.TEXT, "ToolTip": self.TIP}
+        if self.ACCEL:
+            resources["Accel"] = self.ACCEL
+        return resources
+
+    def IsActive(self):
+        return FreeCAD.ActiveDocument is not None
+
+    def Activated(self):
+        try:
+            self.run()
+        except InputError as error:
+            say(str(error))
+
+    def run(self):
+        raise NotImplementedError
+
+
+class TextureCommand(Command):
+    """Makes a texture operation on the selected faces, with job and tool where missing, and edits it."""
+
+    MODULE = OPERATION = ""
+
+    def run(self):
+        found = selected_faces()
+        if found is None:
+            raise InputError(
+                translate("Selection"), translate("no face"), translate("select faces to texture.")
+            )
+        module = importlib.import_module(self.MODULE)
+        # Inside a command FreeCAD lets no other transaction take the place of this one, not those of its
+        # own job, tool bit and panel: all that is made is one step of undo. The last call keeps it open
+        # until the panel is closed.
+        FreeCAD.setActiveTransaction(self.TEXT)
+        operation = quick_setup.texture(module, self.OPERATION, *found)
+        FreeCADGui.Selection.clearSelection()
+        operation.ViewObject.Document.setEdit(operation.ViewObject, 0)
+        return operation
+
+
+class PlanarTexture(TextureCommand):
+    NAME, OPERATION, MODULE = "PatchMill_PlanarTexture", "PlanarTexture", "patchmill.planar_texture"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_PlanarTexture", "Planar texture")
+    TIP = QT_TRANSLATE_NOOP(
+        "PatchMill_PlanarTexture", "Dimples in flat patches on the selected faces (Matsuda 2008)"
+    )
+
+
+class PyramidTexture(TextureCommand):
+    NAME, OPERATION, MODULE = "PatchMill_PyramidTexture", "PyramidTexture", "patchmill.pyramid_texture"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_PyramidTexture", "Pyramid texture")
+    TIP = QT_TRANSLATE_NOOP(
+        "PatchMill_PyramidTexture", "Dimples in faceted patches on the selected faces"
+    )
+
+
+class CurvedTexture(TextureCommand):
+    NAME, OPERATION, MODULE = "PatchMill_CurvedTexture", "CurvedTexture", "patchmill.curved_texture"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_CurvedTexture", "Curved texture")
+    TIP = QT_TRANSLATE_NOOP(
+        "PatchMill_CurvedTexture", "Dimples that lie on the selected faces (Xu and Sasahara 2016)"
+    )
+
+
+class CalibrationPatch(TextureCommand):
+    NAME, OPERATION = "PatchMill_CalibrationPatch", "CalibrationPatch"
+    MODULE = "patchmill.calibration_patch"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_CalibrationPatch", "Calibration patch")
+    TIP = QT_TRANSLATE_NOOP(
+        "PatchMill_CalibrationPatch", "One patch whose best dimple tells the machine's start phase"
+    )
+
+
+class Play(Command):
+    NAME = "PatchMill_Play"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_Play", "Play the path")
+    TIP = QT_TRANSLATE_NOOP("PatchMill_Play", "Moves the tool along the path of a texture")
+
+    def IsActive(self):
+        return selected_texture() is not None and not FreeCADGui.Control.activeDialog()
+
+    def run(self):
+        from patchmill_gui.player import PlayerPanel
+
+        operation = selected_texture()
+        FreeCADGui.Control.showDialog(PlayerPanel(operation, planned(operation)))
+
+
+class Report(Command):
+    NAME = "PatchMill_Report"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_Report", "Report")
+    TIP = QT_TRANSLATE_NOOP("PatchMill_Report", "Posts the job, and writes pictures and figures")
+
+    def IsActive(self):
+        return selected_texture() is not None
+
+    def run(self):
+        folder = QtGui.QFileDialog.getExistingDirectory(
+            FreeCADGui.getMainWindow(), translate("Folder for the report")
+        )
+        if folder:
+            write_report(selected_texture(), folder)
+
+
+def write_report(operation, folder):
+    """Posts the operation's job and writes its report in `folder`: the names of the files."""
+    import patchmill
+
+    plan = planned(operation)
+    job = host.PathUtils.findParentJob(operation)
+    gcode = os.path.join(folder, operation.Name + ".ngc")
+    posted = [p for p in patchmill.post(job, gcode) if p.operation is operation]
+    return [gcode] + patchmill.write_report(posted[0], plan, gcode, folder)
+
+
+class Post(Command):
+    NAME = "PatchMill_Post"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_Post", "Post and check")
+    TIP = QT_TRANSLATE_NOOP(
+        "PatchMill_Post", "Writes the program, if what is read back from its text holds the plan"
+    )
+
+    def IsActive(self):
+        return bool(FreeCAD.ActiveDocument and host.jobs())
+
+    def run(self):
+        import patchmill
+
+        jobs = host.jobs()
+        job = jobs[0] if len(jobs) == 1 else host.PathUtils.UserInput.chooseJob(jobs)
+        if job is None:
+            return
+        name, _ = QtGui.QFileDialog.getSaveFileName(
+            FreeCADGui.getMainWindow(), translate("Program"), job.Label + ".ngc", "*.ngc *.nc *.h *.mpf"
+        )
+        if name:
+            patchmill.post(job, name)
+            say(translate("{} was written, read back and holds the plan.").format(name))
+
+
+class Examples(Command):
+    """A menu with an entry for each recipe; the first is what the bare command opens."""
+
+    NAME = "PatchMill_Examples"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_Examples", "Examples")
+    TIP = QT_TRANSLATE_NOOP("PatchMill_Examples", "Opens a part that is ready to be tried")
+
+    def GetCommands(self):
+        return ("PatchMill_ExampleXu2016",)
+
+    def IsActive(self):
+        return True
+
+
+class ExampleXu2016(Command):
+    NAME = "PatchMill_ExampleXu2016"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_ExampleXu2016", "Curved texture on a free-form block")
+    TIP = QT_TRANSLATE_NOOP("PatchMill_ExampleXu2016", "The part of Xu and Sasahara 2016")
+
+    def IsActive(self):
+        return True
+
+    def run(self):
+        import Part
+
+        document = FreeCAD.newDocument("Block")
+        part = document.addObject("Part::Feature", "Block")
+        part.Shape = Part.read(path("recipes", "xu2016", "block.step"))
+        document.recompute()
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+
+
+TEXTURES = (PlanarTexture, PyramidTexture, CurvedTexture)
+COMMANDS = TEXTURES + (CalibrationPatch, Play, Report, Post, ExampleXu2016, Examples)
+
+
+def register():
+    """Tells FreeCAD of all commands."""
+    for command in COMMANDS:
+        FreeCADGui.addCommand(command.NAME, command())
+
+
+def resources_of(proxy):
+    """FreeCAD's CommandResources for an operation's proxy: what its view provider needs."""
+    operation = type(proxy).__name__.replace("Object", "", 1)
+    (command,) = (
+        c for c in COMMANDS if issubclass(c, TextureCommand) and c.OPERATION == operation
+    )
+    return native("operation").CommandResources(
+        operation, None, TexturePage, icon(command.NAME), command.TEXT, None, command.TIP
+    )

@@ -1,0 +1,263 @@
+"""Task panel of the texture operations: FreeCAD's pages for base geometry and heights, and a page of ours
+with a picture of the quantities, a form of the properties and a live preview.
+
+Nothing is computed in the GUI thread. While values change, the dimples are placed in the background and
+shown; when they stay, the whole texture is planned there, so that OK finds it ready.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import FreeCAD
+from FreeCAD import Qt
+from _patchmill import InputError
+from patchmill import strategies
+from patchmill.outlines import outlines_on_faces
+from patchmill.texture_operation import prepare, property_table
+from patchmill.texture_plan import place_texture
+from PySide import QtCore, QtGui
+
+from patchmill_gui.background import Background
+from patchmill_gui.property_form import PropertyForm
+from patchmill_gui.resources import native, path
+from patchmill_gui.texture_summary import placed_summary, planned_summary
+
+PICTURE_WIDTH = 220  # as narrow as FreeCAD's panel at first
+PLACE_AFTER_MS, PLAN_AFTER_MS = 30, 400
+PREVIEWS = (("dimples", "Dimples"), ("outlines", "Patches"), ("order", "Order"), ("axes", "Tool axes"))
+
+
+def translate(text):
+    return Qt.translate("PatchMill", text)
+
+
+class TexturePage(native("operation").TaskPanelPage):
+    """The operation's own page."""
+
+    def getForm(self):
+        form = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(form)
+        layout.setContentsMargins(2, 2, 2, 2)
+        picture = QtGui.QLabel()
+        picture.setPixmap(QtGui.QIcon(path("icons", "quantities.svg")).pixmap(PICTURE_WIDTH, PICTURE_WIDTH))
+        picture.setMinimumWidth(1)
+        picture.setAlignment(QtCore.Qt.AlignCenter)
+        layout.addWidget(picture)
+        row = QtGui.QFormLayout()
+        form.toolController = QtGui.QComboBox()
+        form.coolantController = QtGui.QComboBox()
+        row.addRow(translate("Tool controller"), form.toolController)
+        row.addRow(translate("Coolant"), form.coolantController)
+        layout.addLayout(row)
+        self.properties = PropertyForm(property_table(self.obj), self.obj)
+        for box in self.properties.groups.values():
+            layout.addWidget(box)
+        layout.addWidget(self._preview_box())
+        layout.addStretch()
+        return form
+
+    def _preview_box(self):
+        box = QtGui.QGroupBox(translate("Preview"))
+        layout = QtGui.QVBoxLayout(box)
+        grid = QtGui.QGridLayout()
+        self.previews = {}
+        for place, (part, text) in enumerate(PREVIEWS):
+            check = QtGui.QCheckBox(translate(text))
+            check.setObjectName("Preview" + part.capitalize())
+            check.setChecked(part in ("dimples", "outlines"))
+            grid.addWidget(check, place // 2, place % 2)
+            self.previews[part] = check
+        layout.addLayout(grid)
+        self.summary = QtGui.QLabel()
+        self.summary.setWordWrap(True)
+        self.summary.setTextFormat(QtCore.Qt.RichText)
+        layout.addWidget(self.summary)
+        self.message = QtGui.QLabel()
+        self.message.setWordWrap(True)
+        self.message.setStyleSheet("color: #c0392b")
+        layout.addWidget(self.message)
+        self.progress = QtGui.QProgressBar()
+        self.progress.setRange(0, 1000)
+        self.progress.setVisible(False)
+        layout.addWidget(self.progress)
+        return box
+
+    def getFields(self, obj):
+        self.properties.store()
+        self.updateToolController(obj, self.form.toolController)
+        self.updateCoolant(obj, self.form.coolantController)
+        self._show_rows()
+
+    def setFields(self, obj):
+        self.properties.show()
+        self.setupToolController(obj, self.form.toolController)
+        self.setupCoolant(obj, self.form.coolantController)
+        self._show_rows()
+
+    def getSignalsForUpdate(self, obj):
+        return [
+            self.properties.changed,
+            self.form.toolController.currentIndexChanged,
+            self.form.coolantController.currentIndexChanged,
+        ]
+
+    def _show_rows(self):
+        """Only the properties that mean something with the others as they are."""
+        obj, hidden = self.obj, set()
+        if obj.AutoOrigin:
+            hidden.add("Origin")
+        if obj.Strategy in (strategies.CONSTANT, strategies.FITTED):
+            hidden.add("Lift")
+        else:
+            hidden |= {"ExtraTurns"}
+        self.properties.show_only(set(self.properties.rows) - hidden)
+
+    def show_error(self, error):
+        """The sentence of an InputError at its field; elsewhere, or of another property, in the box."""
+        at_field = self.properties.show_error(error)
+        self.message.setText("" if error is None or at_field else str(error))
+
+    def show_progress(self, share, seconds):
+        self.progress.setVisible(True)
+        self.progress.setValue(int(1000 * share))
+        self.progress.setFormat(translate("%p % · {:.0f} s left").format(seconds))
+
+
+class TexturePanel(native("operation").TaskPanel):
+    """FreeCAD's panel, with preview, and with an OK that waits for the plan without blocking."""
+
+    def __init__(self, obj, delete_on_reject, page, selection):
+        super().__init__(obj, delete_on_reject, page, selection)
+        self.page = page
+        self.view = obj.ViewObject.Proxy
+        self.scene = self.view.scene
+        self.placing, self.planning = Background(), Background()
+        self.placing.finished.connect(self._placed)
+        self.placing.failed.connect(self._failed)
+        self.planning.finished.connect(self._planned)
+        self.planning.failed.connect(self._failed)
+        self.planning.progressed.connect(page.show_progress)
+        self.ready = None
+        self.accepting = False
+        self.place_timer, self.plan_timer = _timer(self._place), _timer(self._plan)
+
+    def setupUi(self):
+        super().setupUi()
+        for part, check in self.page.previews.items():
+            check.toggled.connect(lambda on, name=part: self.scene.switch(name, on))
+            self.scene.switch(part, check.isChecked())
+        self.view.editing = True
+        self.view.update(self.obj.ViewObject)
+        self.preview()
+
+    def pageDirtyChanged(self, page):
+        super().pageDirtyChanged(page)
+        if page is not None and page.isdirty and hasattr(self, "place_timer"):
+            self.preview()
+
+    def preview(self):
+        """Shows the texture as the properties are now, soon."""
+        self.planning.cancel()
+        self.page.progress.setVisible(False)
+        self.place_timer.start(PLACE_AFTER_MS)
+        self.plan_timer.start(PLAN_AFTER_MS)
+
+    def _input(self):
+        """TextureInput of the operation, or None with the reason shown."""
+        try:
+            self.obj.Proxy.refresh_heights(self.obj)
+            return self.obj.Proxy.texture_input(self.obj)
+        except InputError as error:
+            self._failed(error)
+            return None
+
+    def _place(self):
+        given = self._input()
+        if given is not None:
+            self.placing.start(lambda progress: _placed_with_outlines(given, progress))
+
+    def _placed(self, result):
+        if result is None:
+            return
+        placed, outlines = result
+        self.page.show_error(None)
+        self.scene.show_placed(placed, outlines)
+        self.page.summary.setText(placed_summary(placed))
+
+    def _plan(self):
+        given = self._input()
+        if given is None:
+            self.accepting = False
+            return
+        if self.ready is not None and self.ready.planned.input == given:
+            self._planned(self.ready)
+        else:
+            self.planning.start(lambda progress: prepare(given, progress))
+
+    def _planned(self, ready):
+        self.page.progress.setVisible(False)
+        if ready is None:
+            return
+        self.ready = ready
+        self.scene.show_planned(ready.planned)
+        self.page.summary.setText(planned_summary(ready.planned))
+        if self.accepting:
+            QtCore.QTimer.singleShot(0, self._finish)  # FreeCAD commits nothing inside its own call of accept
+
+    def _failed(self, error):
+        self.accepting = False
+        self.page.progress.setVisible(False)
+        if not isinstance(error, InputError):
+            FreeCAD.Console.PrintError("PatchMill: %r\n" % error)
+        self.page.show_error(error)
+
+    def accept(self, resetEdit=True):
+        """OK: closes the panel as soon as the plan is ready; at once if it is."""
+        self.panelGetFields()
+        self.place_timer.stop()
+        self.plan_timer.stop()
+        self.accepting = True
+        self._plan()
+        return False  # _finish closes the dialog
+
+    def _finish(self):
+        self.obj.Proxy.ready = self.ready
+        self._stop()
+        self.obj.Document.recompute()  # inside the transaction
+        super().accept()
+
+    def clicked(self, button):
+        """Apply needs no work of its own: the preview is the result."""
+        if button == QtGui.QDialogButtonBox.Apply:
+            self.panelGetFields()
+            self.setClean()
+            self.preview()
+
+    def reject(self, resetEdit=True):
+        """Cancel: of the planning that OK waits for, if it does; else of the panel."""
+        if self.accepting and self.planning.busy:
+            self.accepting = False
+            self.planning.cancel()
+            self.page.progress.setVisible(False)
+            return False
+        self._stop()
+        return super().reject(resetEdit)
+
+    def _stop(self):
+        for timer in (self.place_timer, self.plan_timer):
+            timer.stop()
+        for work in (self.placing, self.planning):
+            work.cancel()
+        self.view.editing = False
+        self.scene.clear()
+
+
+def _placed_with_outlines(given, progress):
+    placed = place_texture(given, progress)
+    return placed and (placed, outlines_on_faces(placed))
+
+
+def _timer(call):
+    timer = QtCore.QTimer()
+    timer.setSingleShot(True)
+    timer.timeout.connect(call)
+    return timer

@@ -1,0 +1,133 @@
+"""View provider of the texture operations: icon, what is displayed, context menu, and the panel's start.
+
+    ViewObject.Show = "Dimples" | "Tool path" | "Relief" | "FreeCAD's lines"
+
+FreeCAD's own lines are there too; it draws paths with rotary words wrongly (see src/scene/path_nodes.h).
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import FreeCADGui
+from FreeCAD import Qt
+from patchmill.outlines import outlines_on_faces
+from PySide import QtCore, QtGui
+
+from patchmill_gui.resources import native
+from patchmill_gui.texture_scene import TextureScene
+
+DIMPLES, PATH, RELIEF, NATIVE = SHOWS = ("Dimples", "Tool path", "Relief", "FreeCAD's lines")
+PARTS_OF = {
+    DIMPLES: ("dimples", "outlines", "order"),
+    PATH: ("path", "axes"),
+    RELIEF: ("relief",),
+    NATIVE: (),
+}
+
+
+class ViewProvider(native("operation").ViewProvider):
+    """FreeCAD's, with our own selection gate, icon, display and panel."""
+
+    def __init__(self, vobj, resources):
+        super().__init__(vobj, resources)
+        self.OpIcon = resources.pixmap
+        self.deleteOnReject = False  # what Cancel takes back is the transaction that made it, if that is open
+        self.scene = None
+        vobj.Proxy = self
+
+    def attach(self, vobj):
+        """Also when a document is opened: the display is made anew, from the path that was saved."""
+        super().attach(vobj)
+        self.scene = TextureScene()
+        self.editing = False
+        vobj.RootNode.addChild(self.scene.root)
+        if "Show" not in vobj.PropertiesList:
+            vobj.addProperty("App::PropertyEnumeration", "Show", "PatchMill", "What is displayed")
+            vobj.Show = list(SHOWS)
+        self.update(vobj)
+
+    def __setstate__(self, state):
+        super().__setstate__(state)
+        self.deleteOnReject = False
+
+    loads = __setstate__
+
+    def getSelectionFactory(self):
+        return native("selection").fselect
+
+    def onChanged(self, vobj, prop):
+        if prop in ("Show", "Visibility") and getattr(self, "scene", None):
+            self.update(vobj)
+
+    def updateData(self, obj, prop):
+        super().updateData(obj, prop)
+        if prop == "Path" and getattr(self, "scene", None) and not self.editing:
+            self.scene.clear()
+            QtCore.QTimer.singleShot(0, lambda: self.update(self.vobj))
+
+    def update(self, vobj):
+        """Fills, if empty, and shows what `Show` asks for. Nothing is planned for the display alone: a
+        document just opened shows FreeCAD's lines until its operation is recomputed."""
+        planned = getattr(vobj.Object.Proxy, "planned", None)
+        show = vobj.Show if planned else NATIVE
+        parts = PARTS_OF[show] if vobj.Visibility and not self.editing else ()
+        if parts and planned:
+            self._fill(show, planned)
+        for part in ("dimples", "outlines", "order", "axes", "path", "relief"):
+            if not self.editing:
+                self.scene.switch(part, part in parts)
+        _show_native_lines(vobj, show == NATIVE and not self.editing)
+
+    def _fill(self, show, planned):
+        if show == DIMPLES and not self.scene.filled("dimples"):
+            self.scene.show_placed(planned, outlines_on_faces(planned))
+        if show == PATH and not self.scene.filled("path"):
+            self.scene.show_planned(planned)
+
+    def setEdit(self, vobj=None, mode=0):
+        if mode != 0:
+            return False
+        from patchmill_gui.texture_panel import TexturePanel
+
+        vobj = vobj if vobj is not None and hasattr(vobj, "Object") else self.vobj
+        page = self.getTaskPanelOpPage(vobj.Object)
+        page.setTitle(self.OpName)
+        page.setIcon(self.OpIcon)
+        panel = TexturePanel(
+            vobj.Object, False, page, self.getSelectionFactory()
+        )
+        self.setupTaskPanel(panel)
+        return True
+
+    def setupContextMenu(self, vobj, menu):
+        super().setupContextMenu(vobj, menu)
+        for text, command in (
+            ("Play the path", "PatchMill_Play"),
+            ("Simulate marks", "PatchMill_Simulate"),
+            ("Report", "PatchMill_Report"),
+        ):
+            action = QtGui.QAction(Qt.translate("PatchMill", text), menu)
+            action.triggered.connect(lambda *_, name=command: _run_on(vobj.Object, name))
+            menu.addAction(action)
+
+
+def _run_on(obj, command):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(obj)
+    FreeCADGui.runCommand(command)
+
+
+def _show_native_lines(vobj, on):
+    """FreeCAD has no switch for its lines: showing one movement from the end on is as good as none."""
+    start, count = (0, 0) if on else (max(0, vobj.Object.Path.Size - 1), 1)
+    if vobj.StartIndex != start:
+        vobj.StartIndex = start
+    if vobj.ShowCount != count:
+        vobj.ShowCount = count
+
+
+def attach_to(obj):
+    """Gives a texture operation its view provider, if it has none."""
+    from patchmill_gui.commands import resources_of
+
+    if obj.ViewObject is not None and not isinstance(obj.ViewObject.Proxy, ViewProvider):
+        ViewProvider(obj.ViewObject, resources_of(obj.Proxy))

@@ -1,0 +1,42 @@
+"""What the workbench shows: toolbar, menus, preferences.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import functools
+
+import FreeCADGui
+from patchmill import host
+
+from patchmill_gui import commands
+from patchmill_gui.resources import native, path
+
+SEPARATOR = "Separator"
+
+
+def toolbar():
+    """Names of the toolbar's commands, in order."""
+    textures = [c.NAME for c in commands.TEXTURES]
+    return (
+        [host.NATIVE_COMMANDS["job"]]
+        + textures
+        + ["PatchMill_CalibrationPatch", SEPARATOR, "PatchMill_Play", "PatchMill_Report"]
+        + ["PatchMill_Post", "PatchMill_ExampleXu2016"]
+    )
+
+
+def menu():
+    """As the toolbar."""
+    return toolbar()
+
+
+@functools.lru_cache(maxsize=None)
+def start():
+    """Once, when the workbench or FreeCAD's CAM workbench is first shown."""
+    import PathGui  # noqa: F401  FreeCAD's icons and forms, without its workbench being shown
+
+    native("startup").Startup()
+    commands.register()
+    FreeCADGui.addIconPath(path("icons"))
+    FreeCADGui.addLanguagePath(path("translations"))
+    FreeCADGui.addPreferencePage(path("ui", "preferences.ui"), "PatchMill")
