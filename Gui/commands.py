@@ -68,10 +68,13 @@ class Command:
         return FreeCAD.ActiveDocument is not None
 
     def Activated(self):
+        sentence = None
         try:
             self.run()
         except InputError as error:
-            say(str(error))
+            sentence = str(error)
+        if sentence is not None:
+            say(sentence)
 
     def run(self):
         raise NotImplementedError
@@ -228,6 +231,7 @@ class ExampleXu2016(Command):
         part = document.addObject("Part::Feature", "Block")
         part.Shape = Part.read(path("recipes", "xu2016", "block.step"))
         document.recompute()
+        FreeCADGui.SendMsgToActiveView("ViewAxo")
         FreeCADGui.SendMsgToActiveView("ViewFit")
 
 

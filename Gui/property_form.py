@@ -1,213 +1,22 @@
 """A form made from an operation's table of properties: a row for each, grouped as the table groups them,
 with its unit, its tip, and room for a sentence below it that says what is wrong.
 
-The table's rows are (type, name, group, tip, default); see patchmill.texture_operation.
+The table's rows are (type, name, group, tip, default); see patchmill.texture_properties.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import re
 
-import FreeCAD
-import FreeCADGui
 from PySide import QtCore, QtGui
 
-from patchmill import machines
-
-from patchmill_gui.resources import native
-
-UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
+from patchmill_gui.property_rows import row_for
 
 
 def label_of(name):
     """'PatchSide' -> 'Patch side'."""
     words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
     return words[:1] + words[1:].lower() if not words.endswith(("X", "Y")) else words
-
-
-class Row:
-    """A property and its editor. `changed` is the editor's signal."""
-
-    def __init__(self, editor, changed):
-        self.editor = editor
-        self.changed = changed
-        self.error = None
-
-    def show(self, obj):
-        """Property to editor."""
-        raise NotImplementedError
-
-    def store(self, obj):
-        """Editor to property, if they differ."""
-        raise NotImplementedError
-
-
-class QuantityRow(Row):
-    def __init__(self, name, obj):
-        editor = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        self.box = native("widgets").QuantitySpinBox(editor, obj, name)
-        super().__init__(editor, editor.valueChanged)
-
-    def show(self, obj):
-        update = getattr(self.box, "updateSpinBox", None) or self.box.updateWidget
-        update()
-
-    def store(self, obj):
-        self.box.updateProperty()
-
-
-class ChoiceRow(Row):
-    def __init__(self, name, obj):
-        editor = QtGui.QComboBox()
-        editor.addItems(obj.getEnumerationsOfProperty(name))
-        self.name = name
-        super().__init__(editor, editor.currentIndexChanged)
-
-    def show(self, obj):
-        self.editor.setCurrentText(getattr(obj, self.name))
-
-    def store(self, obj):
-        _assign(obj, self.name, self.editor.currentText())
-
-
-class MachineRow(Row):
-    """The machine files at hand; the empty name is 'none'."""
-
-    NONE = "(none: phase not judged)"
-
-    def __init__(self, name, obj):
-        editor = QtGui.QComboBox()
-        editor.addItem(self.NONE, "")
-        for key in machines.names():
-            editor.addItem(key, key)
-        self.name = name
-        super().__init__(editor, editor.currentIndexChanged)
-
-    def show(self, obj):
-        key = getattr(obj, self.name)
-        if self.editor.findData(key) < 0:
-            self.editor.addItem(key, key)
-        self.editor.setCurrentIndex(self.editor.findData(key))
-
-    def store(self, obj):
-        _assign(obj, self.name, self.editor.currentData())
-
-
-class NumberRow(Row):
-    def __init__(self, name, obj, whole):
-        editor = QtGui.QSpinBox() if whole else QtGui.QDoubleSpinBox()
-        editor.setRange(-(10**6) if not whole else 0, 10**6)
-        if not whole:
-            editor.setDecimals(4)
-        editor.setKeyboardTracking(False)
-        self.name = name
-        super().__init__(editor, editor.valueChanged)
-
-    def show(self, obj):
-        self.editor.setValue(getattr(obj, self.name))
-
-    def store(self, obj):
-        _assign(obj, self.name, self.editor.value())
-
-
-class FlagRow(Row):
-    def __init__(self, name, obj):
-        editor = QtGui.QCheckBox()
-        self.name = name
-        super().__init__(editor, editor.stateChanged)
-
-    def show(self, obj):
-        self.editor.setChecked(getattr(obj, self.name))
-
-    def store(self, obj):
-        _assign(obj, self.name, self.editor.isChecked())
-
-
-class TextRow(Row):
-    def __init__(self, name, obj):
-        editor = QtGui.QLineEdit()
-        self.name = name
-        super().__init__(editor, editor.editingFinished)
-
-    def show(self, obj):
-        self.editor.setText(str(getattr(obj, self.name)))
-
-    def store(self, obj):
-        _assign(obj, self.name, self.editor.text())
-
-
-class FileRow(TextRow):
-    """A file name with a button that opens a dialog."""
-
-    def __init__(self, name, obj):
-        super().__init__(name, obj)
-        self.line = self.editor
-        self.editor = QtGui.QWidget()
-        layout = QtGui.QHBoxLayout(self.editor)
-        layout.setContentsMargins(0, 0, 0, 0)
-        button = QtGui.QToolButton()
-        button.setText("…")
-        layout.addWidget(self.line)
-        layout.addWidget(button)
-        button.clicked.connect(self._choose)
-
-    def _choose(self):
-        name, _ = QtGui.QFileDialog.getOpenFileName(self.editor)
-        if name:
-            self.line.setText(name)
-            self.line.editingFinished.emit()
-
-    def show(self, obj):
-        self.line.setText(getattr(obj, self.name))
-
-    def store(self, obj):
-        _assign(obj, self.name, self.line.text())
-
-
-class ObjectRow(Row):
-    """One of the document's objects with a shape, or none."""
-
-    def __init__(self, name, obj):
-        editor = QtGui.QComboBox()
-        editor.addItem("(none)", "")
-        for other in obj.Document.Objects:
-            if hasattr(other, "Shape") and other is not obj:
-                editor.addItem(other.Label, other.Name)
-        self.name = name
-        super().__init__(editor, editor.currentIndexChanged)
-
-    def show(self, obj):
-        linked = getattr(obj, self.name)
-        self.editor.setCurrentIndex(max(0, self.editor.findData(linked.Name if linked else "")))
-
-    def store(self, obj):
-        name = self.editor.currentData()
-        _assign(obj, self.name, obj.Document.getObject(name) if name else None)
-
-
-class VectorRow(Row):
-    def __init__(self, name, obj):
-        editor = QtGui.QWidget()
-        layout = QtGui.QHBoxLayout(editor)
-        layout.setContentsMargins(0, 0, 0, 0)
-        self.boxes = [QtGui.QDoubleSpinBox() for _ in range(3)]
-        self.name = name
-        for box in self.boxes:
-            box.setRange(-1e6, 1e6)
-            box.setDecimals(3)
-            box.setKeyboardTracking(False)
-            box.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
-            layout.addWidget(box)
-        super().__init__(editor, [box.valueChanged for box in self.boxes])
-
-    def show(self, obj):
-        for box, value in zip(self.boxes, getattr(obj, self.name)):
-            box.setValue(value)
-
-    def store(self, obj):
-        value = FreeCAD.Vector(*(box.value() for box in self.boxes))
-        if (getattr(obj, self.name) - value).Length > 1e-3:
-            setattr(obj, self.name, value)
 
 
 def _let_shrink(editor):
@@ -218,41 +27,47 @@ def _let_shrink(editor):
             widget.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
 
 
-def _assign(obj, name, value):
-    if getattr(obj, name) != value:
-        setattr(obj, name, value)
+class Group(QtGui.QWidget):
+    """A heading that opens and closes the rows below it."""
 
+    def __init__(self, title, is_open):
+        super().__init__()
+        layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(2)
+        self.heading = QtGui.QToolButton()
+        self.heading.setText(title)
+        self.heading.setObjectName("Group" + title)
+        self.heading.setCheckable(True)
+        self.heading.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+        self.heading.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
+        self.heading.setStyleSheet("font-weight: bold; border: none; text-align: left")
+        self.body = QtGui.QWidget()
+        self.rows = QtGui.QFormLayout(self.body)
+        self.rows.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        self.rows.setContentsMargins(8, 0, 2, 4)
+        self.rows.setHorizontalSpacing(4)
+        self.rows.setVerticalSpacing(3)
+        layout.addWidget(self.heading)
+        layout.addWidget(self.body)
+        self.heading.toggled.connect(self._toggle)
+        self.heading.setChecked(is_open)
+        self._toggle(is_open)
 
-def row_for(kind, name, obj):
-    """The Row for a property of FreeCAD type `kind`."""
-    if name == "Machine":
-        return MachineRow(name, obj)
-    if kind in UNITS:
-        return QuantityRow(name, obj)
-    if kind in ("App::PropertyInteger", "App::PropertyIntegerConstraint"):
-        return NumberRow(name, obj, True)
-    simple = {
-        "App::PropertyEnumeration": ChoiceRow,
-        "App::PropertyBool": FlagRow,
-        "App::PropertyVector": VectorRow,
-        "App::PropertyFile": FileRow,
-        "App::PropertyFileIncluded": FileRow,
-        "App::PropertyLink": ObjectRow,
-    }
-    if kind in simple:
-        return simple[kind](name, obj)
-    if kind == "App::PropertyFloat":
-        return NumberRow(name, obj, False)
-    return TextRow(name, obj)
+    def _toggle(self, on):
+        self.heading.setArrowType(QtCore.Qt.DownArrow if on else QtCore.Qt.RightArrow)
+        self.body.setVisible(on)
 
 
 class PropertyForm(QtCore.QObject):
-    """Group boxes with rows for `table`, to be added to a layout. `changed` comes after any edit."""
+    """Groups with rows for `table`, to be added to a layout; those named in `closed` start closed.
+    `changed` comes after any edit."""
 
     changed = QtCore.Signal()
 
-    def __init__(self, table, obj):
+    def __init__(self, table, obj, closed=()):
         super().__init__()
+        self.closed = closed
         self.obj = obj
         self.rows = {}
         self.groups = {}
@@ -262,12 +77,7 @@ class PropertyForm(QtCore.QObject):
 
     def _add(self, row, name, group, tip):
         if group not in self.groups:
-            box = QtGui.QGroupBox(group)
-            box.setLayout(QtGui.QFormLayout())
-            box.layout().setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
-            box.layout().setContentsMargins(4, 4, 4, 4)
-            box.layout().setHorizontalSpacing(4)
-            self.groups[group] = box
+            self.groups[group] = Group(group, group not in self.closed)
         label = QtGui.QLabel(label_of(name))
         for widget in (label, row.editor):
             widget.setToolTip(tip)
@@ -278,7 +88,8 @@ class PropertyForm(QtCore.QObject):
         row.error.setWordWrap(True)
         row.error.setStyleSheet("color: #c0392b")
         row.error.hide()
-        layout = self.groups[group].layout()
+        layout = self.groups[group].rows
+        row.group = self.groups[group]
         layout.addRow(label, row.editor)
         layout.addRow(row.error)
         for signal in row.changed if isinstance(row.changed, list) else [row.changed]:
@@ -314,4 +125,6 @@ class PropertyForm(QtCore.QObject):
             mine = error is not None and error.property == name
             row.error.setVisible(mine)
             row.error.setText("%s: %s" % (error.value, error.remedy) if mine else "")
+            if mine:
+                row.group.heading.setChecked(True)
         return error is not None and error.property in self.rows

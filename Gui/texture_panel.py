@@ -10,7 +10,6 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 from FreeCAD import Qt
 from _patchmill import InputError
-from patchmill import strategies
 from patchmill.outlines import outlines_on_faces
 from patchmill.texture_operation import prepare, property_table
 from patchmill.texture_plan import place_texture
@@ -18,6 +17,7 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.background import Background
 from patchmill_gui.property_form import PropertyForm
+from patchmill_gui.idle_properties import idle_properties
 from patchmill_gui.resources import native, path
 from patchmill_gui.texture_summary import placed_summary, planned_summary
 
@@ -48,10 +48,12 @@ class TexturePage(native("operation").TaskPanelPage):
         row.addRow(translate("Tool controller"), form.toolController)
         row.addRow(translate("Coolant"), form.coolantController)
         layout.addLayout(row)
-        self.properties = PropertyForm(property_table(self.obj), self.obj)
+        layout.addWidget(self._preview_box())
+        self.properties = PropertyForm(
+            property_table(self.obj), self.obj, closed=("Limits", "Mask", "Phase", "Tool axis")
+        )
         for box in self.properties.groups.values():
             layout.addWidget(box)
-        layout.addWidget(self._preview_box())
         layout.addStretch()
         return form
 
@@ -102,14 +104,7 @@ class TexturePage(native("operation").TaskPanelPage):
 
     def _show_rows(self):
         """Only the properties that mean something with the others as they are."""
-        obj, hidden = self.obj, set()
-        if obj.AutoOrigin:
-            hidden.add("Origin")
-        if obj.Strategy in (strategies.CONSTANT, strategies.FITTED):
-            hidden.add("Lift")
-        else:
-            hidden |= {"ExtraTurns"}
-        self.properties.show_only(set(self.properties.rows) - hidden)
+        self.properties.show_only(set(self.properties.rows) - idle_properties(self.obj))
 
     def show_error(self, error):
         """The sentence of an InputError at its field; elsewhere, or of another property, in the box."""
@@ -131,6 +126,7 @@ class TexturePanel(native("operation").TaskPanel):
         self.view = obj.ViewObject.Proxy
         self.scene = self.view.scene
         self.placing, self.planning = Background(), Background()
+        self.error = None  # the InputError that is shown, for whoever asks
         self.placing.finished.connect(self._placed)
         self.placing.failed.connect(self._failed)
         self.planning.finished.connect(self._planned)
@@ -179,6 +175,7 @@ class TexturePanel(native("operation").TaskPanel):
         if result is None:
             return
         placed, outlines = result
+        self.error = None
         self.page.show_error(None)
         self.scene.show_placed(placed, outlines)
         self.page.summary.setText(placed_summary(placed))
@@ -208,7 +205,15 @@ class TexturePanel(native("operation").TaskPanel):
         self.page.progress.setVisible(False)
         if not isinstance(error, InputError):
             FreeCAD.Console.PrintError("PatchMill: %r\n" % error)
+        self.error = error
         self.page.show_error(error)
+
+    def ready_now(self):
+        """Whether everything is planned for the properties as they are."""
+        return not (self.place_timer.isActive() or self.plan_timer.isActive() or self.busy())
+
+    def busy(self):
+        return self.placing.busy or self.planning.busy
 
     def accept(self, resetEdit=True):
         """OK: closes the panel as soon as the plan is ready; at once if it is."""
@@ -233,7 +238,8 @@ class TexturePanel(native("operation").TaskPanel):
             self.preview()
 
     def reject(self, resetEdit=True):
-        """Cancel: of the planning that OK waits for, if it does; else of the panel."""
+        """Cancel: of the planning that OK waits for, if it does; else of the panel, with all that was made
+        since the command or the edit began."""
         if self.accepting and self.planning.busy:
             self.accepting = False
             self.planning.cancel()

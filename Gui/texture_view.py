@@ -1,24 +1,32 @@
 """View provider of the texture operations: icon, what is displayed, context menu, and the panel's start.
 
-    ViewObject.Show = "Dimples" | "Tool path" | "Relief" | "FreeCAD's lines"
+    ViewObject.Show = "Dimples" | "Tool path" | "Tool path and axes" | "Relief" | "FreeCAD's lines"
 
 FreeCAD's own lines are there too; it draws paths with rotary words wrongly (see src/scene/path_nodes.h).
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import FreeCAD
 import FreeCADGui
 from FreeCAD import Qt
 from patchmill.outlines import outlines_on_faces
 from PySide import QtCore, QtGui
 
 from patchmill_gui.resources import native
-from patchmill_gui.texture_scene import TextureScene
+from patchmill_gui.texture_scene import PARTS, TextureScene
 
-DIMPLES, PATH, RELIEF, NATIVE = SHOWS = ("Dimples", "Tool path", "Relief", "FreeCAD's lines")
+DIMPLES, PATH, AXES, RELIEF, NATIVE = SHOWS = (
+    "Dimples",
+    "Tool path",
+    "Tool path and axes",
+    "Relief",
+    "FreeCAD's lines",
+)
 PARTS_OF = {
     DIMPLES: ("dimples", "outlines", "order"),
-    PATH: ("path", "axes"),
+    PATH: ("path",),
+    AXES: ("path", "axes"),
     RELIEF: ("relief",),
     NATIVE: (),
 }
@@ -62,7 +70,14 @@ class ViewProvider(native("operation").ViewProvider):
         super().updateData(obj, prop)
         if prop == "Path" and getattr(self, "scene", None) and not self.editing:
             self.scene.clear()
-            QtCore.QTimer.singleShot(0, lambda: self.update(self.vobj))
+            place = (obj.Document.Name, obj.Name)  # it may be gone when its turn comes
+            QtCore.QTimer.singleShot(0, lambda: self._update_if_there(*place))
+
+    def _update_if_there(self, document, name):
+        document = FreeCAD.listDocuments().get(document)
+        obj = document.getObject(name) if document else None
+        if obj is not None and obj.ViewObject is not None:
+            self.update(obj.ViewObject)
 
     def update(self, vobj):
         """Fills, if empty, and shows what `Show` asks for. Nothing is planned for the display alone: a
@@ -72,7 +87,7 @@ class ViewProvider(native("operation").ViewProvider):
         parts = PARTS_OF[show] if vobj.Visibility and not self.editing else ()
         if parts and planned:
             self._fill(show, planned)
-        for part in ("dimples", "outlines", "order", "axes", "path", "relief"):
+        for part in PARTS:
             if not self.editing:
                 self.scene.switch(part, part in parts)
         _show_native_lines(vobj, show == NATIVE and not self.editing)
@@ -80,7 +95,7 @@ class ViewProvider(native("operation").ViewProvider):
     def _fill(self, show, planned):
         if show == DIMPLES and not self.scene.filled("dimples"):
             self.scene.show_placed(planned, outlines_on_faces(planned))
-        if show == PATH and not self.scene.filled("path"):
+        if show in (PATH, AXES) and not self.scene.filled("path"):
             self.scene.show_planned(planned)
 
     def setEdit(self, vobj=None, mode=0):

@@ -1,0 +1,95 @@
+"""What the GUI tests and the pictures' script share: a part, its face selected, and waiting for events.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import time
+import unittest
+
+import FreeCAD
+import FreeCADGui
+import Part
+from PySide import QtCore, QtGui
+
+
+def wait(condition, seconds=60.0):
+    """Runs the event loop until `condition()` is true; returns whether it became so."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+        if condition():
+            return True
+    return False
+
+
+def rest(seconds):
+    """Runs the event loop for so long."""
+    wait(lambda: False, seconds)
+
+
+def panel_open():
+    return bool(FreeCADGui.Control.activeDialog())
+
+
+def new_document(shape, name="Part"):
+    """A document with `shape` as its one object; the PatchMill workbench in front."""
+    FreeCADGui.activateWorkbench("PatchMillWorkbench")
+    document = FreeCAD.newDocument(name)
+    part = document.addObject("Part::Feature", "Part")
+    part.Shape = shape
+    document.recompute()
+    FreeCADGui.activeDocument().activeView().viewAxonometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    return document, part
+
+
+def wavy_block(length=30.0, width=20.0):
+    """A solid with a wavy top, steep enough everywhere for an upright tool."""
+    rows = [
+        [FreeCAD.Vector(length * i / 6, width * j / 4, 8.0 + 0.6 * length * i / 6 + ((i + j) % 2) * 0.8)
+         for j in range(5)]
+        for i in range(7)
+    ]
+    surface = Part.BSplineSurface()
+    surface.interpolate(rows)
+    top = surface.toShape()
+    return top.extrude(FreeCAD.Vector(0, 0, -6))
+
+
+def top_face(shape):
+    """Name of the highest face that looks upwards."""
+    up = [(face.CenterOfMass.z, n) for n, face in enumerate(shape.Faces, 1) if _normal(face).z > 0.5]
+    return "Face%d" % max(up)[1]
+
+
+def _normal(face):
+    u0, u1, v0, v1 = face.ParameterRange
+    return face.normalAt(0.5 * (u0 + u1), 0.5 * (v0 + v1))
+
+
+def select(part, face):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(part, face)
+
+
+def panel_of(operation):
+    return operation.ViewObject.Proxy.panel
+
+
+def set_quantity(panel, name, value):
+    """As a user who types a value and leaves the field."""
+    panel.page.properties.rows[name].editor.setProperty("rawValue", value)
+
+
+def ready(panel):
+    """Waits until the panel's plan is there for its input, or an error is shown."""
+    return wait(lambda: panel.ready_now() or panel.error is not None)
+
+
+def run_tests(*cases):
+    """Runs TestCase classes; the exit status."""
+    suite = unittest.TestSuite()
+    for case in cases:
+        suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
+    result = unittest.TextTestRunner(verbosity=2).run(suite)
+    return 0 if result.wasSuccessful() and result.testsRun else 1

@@ -1,0 +1,171 @@
+"""The texture commands as a user has them: select a face, one click, the panel, OK; and all the ways back.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import os
+import tempfile
+import unittest
+
+import FreeCAD
+import FreeCADGui
+import driver
+from patchmill import host
+
+COMMANDS = {
+    "PatchMill_PlanarTexture": "PlanarTexture",
+    "PatchMill_PyramidTexture": "PyramidTexture",
+    "PatchMill_CurvedTexture": "CurvedTexture",
+    "PatchMill_CalibrationPatch": "CalibrationPatch",
+}
+
+
+class TextureCommands(unittest.TestCase):
+    def setUp(self):
+        self.document, self.part = driver.new_document(driver.wavy_block())
+
+    def tearDown(self):
+        if driver.panel_open():
+            FreeCADGui.Control.closeDialog()
+        FreeCAD.closeDocument(self.document.Name)
+
+    def names(self):
+        return {o.Name for o in self.document.Objects}
+
+    def begin(self, command="PatchMill_CurvedTexture"):
+        """Selects the top face and runs the command; returns (operation, panel) once planned."""
+        driver.select(self.part, driver.top_face(self.part.Shape))
+        FreeCADGui.runCommand(command)
+        operation = self.document.getObject(COMMANDS[command])
+        panel = driver.panel_of(operation)
+        self.assertTrue(driver.ready(panel), "the plan did not come")
+        return operation, panel
+
+    def accept(self, panel):
+        panel.accept()
+        self.assertTrue(driver.wait(lambda: not driver.panel_open()), "the panel did not close")
+
+    def test_each_command_makes_a_texture_from_a_bare_part(self):
+        for command in COMMANDS:
+            with self.subTest(command):
+                operation, panel = self.begin(command)
+                self.assertIsNone(panel.error)
+                driver.set_quantity(panel, "Spacing", 0.8)
+                self.accept(panel)
+                self.assertEqual(operation.State, ["Up-to-date"])
+                self.assertAlmostEqual(operation.Spacing.Value, 0.8)
+                self.assertGreater(operation.DimpleCount, 50)
+                self.assertGreater(operation.Path.Size, operation.DimpleCount)
+                self.assertTrue(os.path.exists(operation.ViewObject.Proxy.getIcon()))
+        self.assertEqual(len(host.jobs()), 1)
+
+    def test_cancel_leaves_nothing(self):
+        before = self.names()
+        _, panel = self.begin()
+        panel.reject()
+        self.assertTrue(driver.wait(lambda: not driver.panel_open()))
+        self.assertEqual(self.names(), before)
+
+    def test_undo_is_one_step_and_redo_brings_it_back(self):
+        before = self.names()
+        operation, panel = self.begin()
+        self.accept(panel)
+        size, after = operation.Path.Size, self.names()
+        self.assertEqual(len(self.document.UndoNames), 1)
+        self.document.undo()
+        self.assertEqual(self.names(), before)
+        self.document.redo()
+        self.document.recompute()
+        self.assertEqual(self.names(), after)
+        self.assertEqual(self.document.getObject("CurvedTexture").Path.Size, size)
+
+    def test_edit_again_after_saving_and_reopening(self):
+        operation, panel = self.begin()
+        self.accept(panel)
+        count = operation.DimpleCount
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "saved.FCStd")
+            self.document.saveAs(name)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(name)
+        driver.rest(0.5)
+        operation = self.document.getObject("CurvedTexture")
+        view = operation.ViewObject.Proxy
+        self.assertEqual(type(view).__module__, "patchmill_gui.texture_view")
+        operation.ViewObject.Document.setEdit(operation.ViewObject, 0)
+        panel = driver.panel_of(operation)
+        self.assertTrue(driver.ready(panel))
+        driver.set_quantity(panel, "Spacing", 1.0)
+        self.accept(panel)
+        self.assertLess(operation.DimpleCount, count / 2)
+        self.document.undo()
+        self.document.recompute()
+        self.assertEqual(operation.DimpleCount, count)
+
+    def test_cancelled_edit_leaves_the_properties(self):
+        operation, panel = self.begin()
+        self.accept(panel)
+        operation.ViewObject.Document.setEdit(operation.ViewObject, 0)
+        panel = driver.panel_of(operation)
+        driver.set_quantity(panel, "Spacing", 1.3)
+        driver.rest(0.3)
+        panel.reject()
+        self.assertAlmostEqual(operation.Spacing.Value, 0.5)
+
+    def test_the_display_follows_what_is_asked(self):
+        operation, panel = self.begin()
+        scene = operation.ViewObject.Proxy.scene
+        self.assertTrue(scene.filled("dimples") and scene.shown("dimples"))
+        panel.page.previews["dimples"].setChecked(False)
+        self.assertFalse(scene.shown("dimples"))
+        panel.page.previews["order"].setChecked(True)
+        self.assertTrue(scene.shown("order"))
+        self.accept(panel)
+        driver.rest(0.2)
+        for show, part in (("Dimples", "dimples"), ("Tool path", "path"), ("Dimples", "outlines")):
+            operation.ViewObject.Show = show
+            self.assertTrue(scene.filled(part) and scene.shown(part), (show, part))
+        operation.ViewObject.Visibility = False
+        self.assertFalse(scene.shown("dimples"))
+
+    def test_an_error_is_a_sentence_at_its_field_and_goes_when_mended(self):
+        _, panel = self.begin()
+        rows = panel.page.properties.rows
+        rows["PatchSide"].editor.setValue(500)
+        self.assertTrue(driver.wait(lambda: panel.error is not None))
+        self.assertIn("choose a smaller side", rows["PatchSide"].error.text())
+        panel.accept()
+        driver.rest(0.5)
+        self.assertTrue(driver.panel_open(), "OK must not close a panel whose texture cannot be made")
+        rows["PatchSide"].editor.setValue(8)
+        self.assertTrue(driver.wait(lambda: panel.error is None and panel.ready_now()))
+        self.assertEqual(rows["PatchSide"].error.text(), "")
+        self.accept(panel)
+
+    def test_without_a_face_a_sentence_and_an_unchanged_document(self):
+        before = self.names()
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.runCommand("PatchMill_CurvedTexture")
+        self.assertEqual(self.names(), before)
+        self.assertFalse(driver.panel_open())
+
+    def test_what_a_macro_makes_has_its_view_too(self):
+        import patchmill
+
+        job = host.create_job("Job", [self.part])
+        host.add_ball_end_controller(job, 2.0, 2, 450.0, 1000.0)
+        operation = patchmill.PlanarTexture.Create("FromMacro", parentJob=job)
+        self.assertEqual(type(operation.ViewObject.Proxy).__module__, "patchmill_gui.texture_view")
+
+
+class NativeMenu(unittest.TestCase):
+    def test_the_commands_are_in_freecads_cam_menu_too(self):
+        FreeCADGui.activateWorkbench(host.NATIVE_WORKBENCH)
+        driver.rest(1.0)
+        bar = FreeCADGui.getMainWindow().menuBar()
+        titles = [action.text().replace("&", "") for action in bar.actions()]
+        self.assertIn("PatchMill", titles)
+
+
+def main():
+    return driver.run_tests(TextureCommands, NativeMenu)
