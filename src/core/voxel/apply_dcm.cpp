@@ -40,9 +40,10 @@ class Divider {
     out_.start = tilted(path.start);
   }
 
-  ToolPath run() {
+  ToolPath run(std::vector<std::int64_t>* source) {
     ToolPose from = path_.start;
-    for (const Move& move : path_.moves) {
+    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+      const Move& move = path_.moves[i];
       if (move.kind == MoveKind::Rapid) {
         Move rapid = move;
         rapid.end = tilted(move.end);
@@ -51,6 +52,7 @@ class Divider {
         divide(span(from, move.end), move);
       }
       from = move.end;
+      if (source) source->resize(out_.moves.size(), static_cast<std::int64_t>(i));
     }
     return std::move(out_);
   }
@@ -79,6 +81,7 @@ class Divider {
     Sample out{
         posture_ ? read_axis(grid_, *posture_, p, options_.reading).value_or(Vec3::UnitZ()) : given,
         0.0};
+    if (posture_ && options_.axis_rule) out.axis = options_.axis_rule(centre(s, t), out.axis);
     if (feed_)
       out.feed =
           read_feed(grid_, *feed_, p, s.direction, options_.reading).value_or(feed_->limits.high);
@@ -219,9 +222,11 @@ void check(const ToolPath& path, const FeedField* feed, const DcmOptions& option
 }  // namespace
 
 ToolPath apply_dcm(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
-                   const PostureField* posture, const DcmOptions& options) {
+                   const PostureField* posture, const DcmOptions& options,
+                   std::vector<std::int64_t>* source) {
   check(path, feed, options);
-  ToolPath out = Divider(path, grid, feed, posture, options).run();
+  if (source) source->clear();
+  ToolPath out = Divider(path, grid, feed, posture, options).run(source);
   if (feed) limit_acceleration(out, options.acceleration);
   return out;
 }

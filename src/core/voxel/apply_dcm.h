@@ -13,7 +13,9 @@
 #include "core/path/tool_path.h"
 #include "core/voxel/field_reader.h"
 
+#include <functional>
 #include <limits>
+#include <vector>
 
 namespace patchmill {
 
@@ -23,6 +25,10 @@ enum class ReadAt {
   Tip  ///< of the given path, before its axis is changed
 };
 
+/// The axis to take with the ball centre at a place [mm] instead of the wanted one (both unit): what
+/// keeps a holder clear of the part (clear_axis.h).
+using AxisRule = std::function<Vec3(const Vec3& centre, const Vec3& wanted)>;
+
 struct DcmOptions {
   Reading reading = Reading::Trilinear;  ///< Nearest gives the paper's staircase
   ReadAt read_at = ReadAt::BallCentre;
@@ -30,6 +36,7 @@ struct DcmOptions {
   Angle axis_tolerance = Angle::degrees(0.25);  ///< of the axis along a move, > 0
   double centre_tolerance = 0.0005;             ///< of the ball centre from its line [mm], > 0
   double shortest_move = 0.02;                  ///< no move is divided below this [mm], > 0
+  AxisRule axis_rule;  ///< empty: the field's axis is taken
   /// Limits of the machine; infinite means: not looked at.
   double axis_rate = std::numeric_limits<double>::infinity();     ///< of the axis' turning [rad/s]
   double acceleration = std::numeric_limits<double>::infinity();  ///< along the path [mm/s^2]
@@ -41,9 +48,11 @@ struct DcmOptions {
 /// field every timed move gets its feed from it; without, moves keep their time, and divided ones
 /// share it. Errors: InputError if the tool has no radius, an option is out of range, the spindle
 /// stands still, or the feed of a texture path (moves that end on dimples) would be changed: its
-/// timing is its meaning.
+/// timing is its meaning. If `source` is given, it gets for each move the number of the move of `path`
+/// that it is a piece of.
 ToolPath apply_dcm(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
-                   const PostureField* posture, const DcmOptions& options = {});
+                   const PostureField* posture, const DcmOptions& options = {},
+                   std::vector<std::int64_t>* source = nullptr);
 
 /// How rough a path is to the machine: the largest changes from one timed move to the next.
 struct PathSteps {

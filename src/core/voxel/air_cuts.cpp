@@ -1,0 +1,169 @@
+// Emptying voxels along a path; see air_cuts.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/voxel/air_cuts.h"
+
+#include "core/geometry/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchmill {
+namespace {
+
+constexpr int kSub = 4;
+
+bool to_remove(VoxelKind kind) {
+  return kind == VoxelKind::Removal || kind == VoxelKind::Surface || kind == VoxelKind::Exterior;
+}
+
+// The places of a move, a quarter of a voxel apart, and at which of them the tool was in air.
+struct Scan {
+  int steps = 1;
+  std::vector<char> air;  // per step, steps of them
+};
+
+}  // namespace
+
+RemainingStock::RemainingStock(const VoxelGrid& grid) : grid_(grid), left_(grid.kind.size(), 0) {
+  for (std::size_t i = 0; i < left_.size(); ++i)
+    if (to_remove(grid.kind[i])) left_[i] = ~std::uint64_t{0};
+}
+
+bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, double radius) {
+  const GridFrame& frame = grid_.frame;
+  // up to where the cylinder leaves the grid's box
+  const Vec3 size = frame.pitch * frame.cells.cast<double>();
+  const double height = size.norm() + (centre - frame.origin - 0.5 * size).norm();
+  const Vec3 end = centre + height * axis;
+  Cell lo, hi;
+  for (int k = 0; k < 3; ++k) {
+    const double a = (std::min(centre[k], end[k]) - radius - frame.origin[k]) / frame.pitch;
+    const double b = (std::max(centre[k], end[k]) + radius - frame.origin[k]) / frame.pitch;
+    lo[k] = static_cast<int>(std::clamp(std::floor(a), 0.0, double(frame.cells[k])));
+    hi[k] = static_cast<int>(std::clamp(std::floor(b) + 1.0, 0.0, double(frame.cells[k])));
+  }
+  const auto in_tool = [&](const Vec3& p, double r) {
+    const Vec3 d = p - centre;
+    const double along = std::max(0.0, d.dot(axis));
+    return (d - along * axis).squaredNorm() <= r * r;
+  };
+  const double half_diagonal = 0.5 * std::sqrt(3.0) * frame.pitch;
+  bool found = false;
+  Cell c;
+  for (c.z() = lo.z(); c.z() < hi.z(); ++c.z())
+    for (c.y() = lo.y(); c.y() < hi.y(); ++c.y())
+      for (c.x() = lo.x(); c.x() < hi.x(); ++c.x()) {
+        const std::int64_t index = cell_index(grid_.table, c);
+        if (index < 0 || left_[index] == 0) continue;
+        if (!in_tool(frame.centre(c), radius + half_diagonal)) continue;
+        const Vec3 low = frame.origin + frame.pitch * c.cast<double>();
+        for (int bit = 0; bit < 64; ++bit) {
+          if (!(left_[index] >> bit & 1)) continue;
+          const Vec3 sub(bit % kSub + 0.5, bit / kSub % kSub + 0.5, bit / (kSub * kSub) + 0.5);
+          if (!in_tool(low + frame.pitch / kSub * sub, radius)) continue;
+          left_[index] &= ~(std::uint64_t{1} << bit);
+          found = true;
+        }
+      }
+  return found;
+}
+
+double RemainingStock::volume() const {
+  double samples = 0.0;
+  for (const std::uint64_t bits : left_) samples += __builtin_popcountll(bits);
+  return samples * std::pow(grid_.frame.pitch / kSub, 3);
+}
+
+namespace {
+
+Scan scan(const ToolPose& from, const ToolPose& to, double radius, double step,
+          RemainingStock& stock) {
+  const Vec3 a = ball_centre(from, radius), b = ball_centre(to, radius);
+  Scan out;
+  out.steps = std::max(1, static_cast<int>(std::ceil((b - a).norm() / step)));
+  for (int i = 0; i < out.steps; ++i) {
+    const double t = (i + 1.0) / out.steps;
+    const Vec3 axis = (from.axis + t * (to.axis - from.axis)).normalized();
+    out.air.push_back(stock.cut(a + t * (b - a), axis, radius) ? 0 : 1);
+  }
+  return out;
+}
+
+// Steps just before a cut, and stretches that are too short, are not hurried over.
+void keep_slow(std::vector<char>& air, int before, int shortest) {
+  const int n = static_cast<int>(air.size());
+  for (int i = n - 1, ahead = before; i >= 0; --i) {
+    ahead = air[i] ? ahead + 1 : 0;
+    if (air[i] && ahead <= before) air[i] = 2;
+  }
+  for (char& state : air) state = state == 1 ? 1 : 0;
+  for (int i = 0; i < n;) {
+    int j = i;
+    while (j < n && air[j] == air[i]) ++j;
+    if (air[i] && j - i < shortest) std::fill(air.begin() + i, air.begin() + j, 0);
+    i = j;
+  }
+}
+
+void check(const ToolPath& path, const AirCutOptions& options) {
+  require_positive("feed in air", options.feed, "mm/s");
+  require_positive("tool radius", path.tool.radius, "mm");
+  require_positive("spindle speed", path.spindle.speed, "1/s");
+  require_in_range("shortest air cut", options.shortest, 0.0, 1e6, "mm");
+  for (const Move& move : path.moves)
+    if (move.dimple != kNoDimple)
+      throw InputError("base operation", "a texture path",
+                       "leave its feed alone: a texture's feed is its timing.");
+}
+
+}  // namespace
+
+ToolPath hurry_in_air(const ToolPath& path, const VoxelGrid& grid, const AirCutOptions& options,
+                      std::vector<std::int64_t>* source) {
+  check(path, options);
+  const double step = 0.25 * grid.frame.pitch, radius = path.tool.radius;
+  const double shortest = options.shortest > 0.0 ? options.shortest : grid.frame.pitch;
+  RemainingStock stock(grid);
+  ToolPath out = path;
+  out.moves.clear();
+  if (source) source->clear();
+  // all steps of the path in a row, so that air is seen across the ends of moves
+  std::vector<char> air;
+  std::vector<int> steps;
+  ToolPose from = path.start;
+  for (const Move& move : path.moves) {
+    Scan scanned = scan(from, move.end, radius, step, stock);
+    if (move.kind == MoveKind::Rapid) scanned.air.assign(scanned.air.size(), 0);
+    steps.push_back(scanned.steps);
+    air.insert(air.end(), scanned.air.begin(), scanned.air.end());
+    from = move.end;
+  }
+  keep_slow(air, 2, static_cast<int>(std::ceil(shortest / step)));
+  from = path.start;
+  std::size_t at = 0;
+  for (std::size_t m = 0; m < path.moves.size(); ++m) {
+    const Move& move = path.moves[m];
+    const Vec3 a = ball_centre(from, radius), b = ball_centre(move.end, radius);
+    for (int i = 0; i < steps[m];) {
+      int j = i;
+      while (j < steps[m] && air[at + j] == air[at + i]) ++j;
+      const double t = double(j) / steps[m], share = double(j - i) / steps[m];
+      Move piece = move;
+      if (j < steps[m])
+        piece.end = pose_of_ball(a + t * (b - a),
+                                 (from.axis + t * (move.end.axis - from.axis)).normalized(), radius);
+      piece.turns = share * move.turns;
+      if (air[at + i])
+        piece.turns = std::min(piece.turns,
+                               path.spindle.speed * share * (b - a).norm() / options.feed);
+      out.moves.push_back(piece);
+      if (source) source->push_back(static_cast<std::int64_t>(m));
+      i = j;
+    }
+    at += steps[m];
+    from = move.end;
+  }
+  return out;
+}
+
+}  // namespace patchmill

@@ -1,0 +1,43 @@
+// Air cuts: voxels are emptied as the tool passes, and where nothing is left to cut a move may run at a feed
+// of its own. Each voxel is sampled at 4 x 4 x 4 places, so that material thinner than a quarter of a voxel
+// may go unseen: the feed in air should be one that the tool survives in such a sliver.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/path/tool_path.h"
+#include "core/voxel/voxel_grid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace patchmill {
+
+/// What is left of the material to be removed.
+class RemainingStock {
+ public:
+  explicit RemainingStock(const VoxelGrid& grid);
+
+  /// Takes away what the tool holds: the ball of `radius` [mm] at the centre and the cylinder of that radius
+  /// above it. Returns whether anything was there.
+  bool cut(const Vec3& centre, const Vec3& axis, double radius);
+
+  /// Volume of the samples that are left [mm^3].
+  double volume() const;
+
+ private:
+  const VoxelGrid& grid_;
+  std::vector<std::uint64_t> left_;  // per stored cell; bit x + 4 y + 16 z
+};
+
+struct AirCutOptions {
+  double feed = 0.0;      ///< V_Air [mm/s], > 0
+  double shortest = 0.0;  ///< no stretch of air shorter than this is hurried over [mm]; 0: one voxel
+};
+
+/// The path with its timed moves divided where cutting and air meet, those in air at V_Air where that is
+/// faster; half a voxel before the material comes again they have their own feed. `source` as in
+/// apply_dcm. Errors: InputError naming an option out of range, or a texture path.
+ToolPath hurry_in_air(const ToolPath& path, const VoxelGrid& grid, const AirCutOptions& options,
+                      std::vector<std::int64_t>* source = nullptr);
+
+}  // namespace patchmill

@@ -1,0 +1,55 @@
+// Collision-aware posture: the axis yields before shank or holder come nearer to the part than a stated
+// distance. Kobayashi & Shirase 2014, section 4.2, left collisions out.
+//
+// The surface of each section of the tool is divided into patches; a patch whose middle is further from the
+// part than the patch's own radius and the clearance is clear, one whose middle is nearer than the clearance
+// is not, and the others are divided on. The ball itself touches the part and is not looked at.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/path/tool_path.h"
+#include "core/voxel/triangle_bvh.h"
+
+#include <vector>
+
+namespace patchmill {
+
+/// A frustum about the tool axis.
+struct HolderSection {
+  double from = 0.0, to = 0.0;                ///< heights above the ball centre [mm], 0 < from < to
+  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], >= 0
+};
+
+struct ClearOptions {
+  double clearance = 1.0;             ///< that is kept between holder and part [mm], > 0
+  double resolution = 0.05;           ///< to which distances are found [mm], > 0
+  Angle most = Angle::degrees(90);    ///< that the axis may yield, in (0, 180] degrees
+  Angle lowest = Angle::degrees(90);  ///< greatest angle of the axis to +z, in (0, 180] degrees
+};
+
+/// Smallest distance [mm] of the sections from the part, to the resolution; 0 if they reach into it; no
+/// more than `enough`, beyond which nothing is looked for.
+double holder_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+                       const Vec3& centre, const Vec3& axis, double resolution, double enough);
+
+struct ClearAxis {
+  Vec3 axis = Vec3::UnitZ();
+  bool clear = false;  ///< false: no axis within `most` of the wanted one is; then `axis` is the wanted
+};
+
+/// The axis nearest to `wanted` with which the holder is clear, the ball at `centre`. Errors: InputError
+/// naming an option or a section out of range.
+ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+                     const Vec3& centre, const Vec3& wanted, const ClearOptions& options = {});
+
+/// Where a path comes too near: every timed move is looked at in steps of at most `step` [mm] of the tip and
+/// 1 degree of the axis.
+struct PathClearance {
+  double least = 0.0;         ///< smallest distance found [mm], no more than twice the clearance
+  std::int64_t move = -1;     ///< the move where it is
+  std::int64_t too_near = 0;  ///< moves that come nearer than the clearance less the resolution
+};
+PathClearance path_clearance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+                             const ToolPath& path, const ClearOptions& options, double step = 0.5);
+
+}  // namespace patchmill
