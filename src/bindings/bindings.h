@@ -28,6 +28,8 @@ void bind_sync(py::module_& m);
 void bind_machine(py::module_& m);
 void bind_machine_model(py::module_& m);
 void bind_scene(py::module_& m);
+void bind_dcm(py::module_& m);
+void bind_dcm_path(py::module_& m);
 
 /// An (n, 3) array of `get(item)` for each item.
 template <class Items, class Get>

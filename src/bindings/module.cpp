@@ -65,4 +65,6 @@ PYBIND11_MODULE(_patchmill, m) {
   patchmill::bind_machine(m);
   patchmill::bind_machine_model(m);
   patchmill::bind_scene(m);
+  patchmill::bind_dcm(m);
+  patchmill::bind_dcm_path(m);
 }

@@ -150,12 +150,12 @@ ToolPath hurry_in_air(const ToolPath& path, const VoxelGrid& grid, const AirCutO
       const double t = double(j) / steps[m], share = double(j - i) / steps[m];
       Move piece = move;
       if (j < steps[m])
-        piece.end = pose_of_ball(a + t * (b - a),
-                                 (from.axis + t * (move.end.axis - from.axis)).normalized(), radius);
+        piece.end = pose_of_ball(
+            a + t * (b - a), (from.axis + t * (move.end.axis - from.axis)).normalized(), radius);
       piece.turns = share * move.turns;
       if (air[at + i])
-        piece.turns = std::min(piece.turns,
-                               path.spindle.speed * share * (b - a).norm() / options.feed);
+        piece.turns =
+            std::min(piece.turns, path.spindle.speed * share * (b - a).norm() / options.feed);
       out.moves.push_back(piece);
       if (source) source->push_back(static_cast<std::int64_t>(m));
       i = j;

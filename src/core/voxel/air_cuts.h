@@ -30,8 +30,9 @@ class RemainingStock {
 };
 
 struct AirCutOptions {
-  double feed = 0.0;      ///< V_Air [mm/s], > 0
-  double shortest = 0.0;  ///< no stretch of air shorter than this is hurried over [mm]; 0: one voxel
+  double feed = 0.0;  ///< V_Air [mm/s], > 0
+  double shortest =
+      0.0;  ///< no stretch of air shorter than this is hurried over [mm]; 0: one voxel
 };
 
 /// The path with its timed moves divided where cutting and air meet, those in air at V_Air where that is

@@ -36,7 +36,7 @@ struct DcmOptions {
   Angle axis_tolerance = Angle::degrees(0.25);  ///< of the axis along a move, > 0
   double centre_tolerance = 0.0005;             ///< of the ball centre from its line [mm], > 0
   double shortest_move = 0.02;                  ///< no move is divided below this [mm], > 0
-  AxisRule axis_rule;  ///< empty: the field's axis is taken
+  AxisRule axis_rule;                           ///< empty: the field's axis is taken
   /// Limits of the machine; infinite means: not looked at.
   double axis_rate = std::numeric_limits<double>::infinity();     ///< of the axis' turning [rad/s]
   double acceleration = std::numeric_limits<double>::infinity();  ///< along the path [mm/s^2]

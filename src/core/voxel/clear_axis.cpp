@@ -24,20 +24,24 @@ struct Patch {
 
 class Finder {
  public:
-  Finder(const TriangleBvh& part, const Vec3& centre, const Vec3& axis, double resolution)
-      : part_(part), centre_(centre), axis_(axis), resolution_(resolution) {
+  // Distances below `stop` need not be found any better.
+  Finder(const TriangleBvh& part, const Vec3& centre, const Vec3& axis, double resolution,
+         double stop)
+      : part_(part), centre_(centre), axis_(axis), resolution_(resolution), stop_(stop) {
     u_ = any_normal_to(axis);
     v_ = axis.cross(u_);
   }
 
   // The smaller of `best` and the patch's distance.
   double least(const Patch& p, double best) const {
+    if (best < stop_) return best;
     const double s = 0.5 * (p.s0 + p.s1), a = 0.5 * (p.a0 + p.a1);
-    const double along = std::hypot(p.height(p.s1) - p.height(p.s0), p.radius(p.s1) - p.radius(p.s0));
+    const double along =
+        std::hypot(p.height(p.s1) - p.height(p.s0), p.radius(p.s1) - p.radius(p.s0));
     const double around = std::max(p.radius(p.s0), p.radius(p.s1)) * (p.a1 - p.a0);
     const double reach = 0.5 * std::hypot(along, around);
-    const Vec3 place = centre_ + p.height(s) * axis_ +
-                       p.radius(s) * (std::cos(a) * u_ + std::sin(a) * v_);
+    const Vec3 place =
+        centre_ + p.height(s) * axis_ + p.radius(s) * (std::cos(a) * u_ + std::sin(a) * v_);
     const double d = closest_point(part_, place, best + reach).distance;
     best = std::min(best, d);
     if (d - reach >= best - resolution_ || reach <= 0.5 * resolution_) return best;
@@ -52,7 +56,7 @@ class Finder {
  private:
   const TriangleBvh& part_;
   Vec3 centre_, axis_, u_, v_;
-  double resolution_;
+  double resolution_, stop_;
 };
 
 Vec3 turned(const Vec3& axis, const Vec3& towards, double angle) {
@@ -67,24 +71,29 @@ void check(const std::vector<HolderSection>& holder, const ClearOptions& o) {
   for (const HolderSection& s : holder) {
     require_positive("holder section", s.from, "mm");
     require_positive("height of holder section", s.to - s.from, "mm");
-    require_in_range("radius of holder section", std::min(s.radius_from, s.radius_to), 0.0, 1e4, "mm");
+    require_in_range("radius of holder section", std::min(s.radius_from, s.radius_to), 0.0, 1e4,
+                     "mm");
   }
+}
+
+double least_distance(const std::vector<HolderSection>& holder, const Finder& finder,
+                      double enough) {
+  double best = enough;
+  for (const HolderSection& s : holder) {
+    const HolderSection low{s.from, s.from, 0.0, s.radius_from}, high{s.to, s.to, 0.0, s.radius_to};
+    for (const HolderSection& surface : {s, low, high})
+      best = finder.least({surface, 0.0, 1.0, 0.0, kTurn}, best);
+  }
+  return best;
 }
 
 }  // namespace
 
 double holder_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
                        const Vec3& centre, const Vec3& axis, double resolution, double enough) {
-  const Finder finder(part, centre, axis, resolution);
-  double best = enough;
-  for (const HolderSection& s : holder) {
-    const HolderSection low{s.from, s.from, 0.0, s.radius_from}, high{s.to, s.to, 0.0, s.radius_to};
-    best = finder.least({s, 0.0, 1.0, 0.0, kTurn}, best);
-    best = finder.least({low, 0.0, 1.0, 0.0, kTurn}, best);
-    best = finder.least({high, 0.0, 1.0, 0.0, kTurn}, best);
-    if (best < resolution) return 0.0;
-  }
-  return best;
+  const double d =
+      least_distance(holder, Finder(part, centre, axis, resolution, resolution), enough);
+  return d < resolution ? 0.0 : d;
 }
 
 ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& holder,
@@ -93,8 +102,8 @@ ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& 
   const double enough = options.clearance + options.resolution;
   const auto clear = [&](const Vec3& axis) {
     return axis.z() >= std::cos(options.lowest.radians()) - 1e-12 &&
-           holder_distance(part, holder, centre, axis, options.resolution, enough) >=
-               options.clearance;
+           least_distance(holder, Finder(part, centre, axis, options.resolution, options.clearance),
+                          enough) >= options.clearance;
   };
   if (clear(wanted)) return {wanted, true};
   // rings of axes around the wanted one, the sense that rights the tool first
@@ -130,14 +139,15 @@ PathClearance path_clearance(const TriangleBvh& part, const std::vector<HolderSe
     const ToolPose to = path.moves[i].end;
     const double turn = std::atan2(from.axis.cross(to.axis).norm(), from.axis.dot(to.axis));
     const double travel = (to.tip - from.tip).norm();
-    const int steps = 1 + static_cast<int>(std::max(travel / step, turn / Angle::degrees(1).radians()));
+    const int steps =
+        1 + static_cast<int>(std::max(travel / step, turn / Angle::degrees(1).radians()));
     bool near = false;
     for (int k = 0; k <= steps && path.moves[i].kind != MoveKind::Rapid; ++k) {
       const double s = double(k) / steps;
       const Vec3 axis = (from.axis + s * (to.axis - from.axis)).normalized();
       const Vec3 centre = from.tip + s * (to.tip - from.tip) + path.tool.radius * axis;
-      const double d = holder_distance(part, holder, centre, axis, options.resolution,
-                                       2.0 * options.clearance);
+      const double d =
+          holder_distance(part, holder, centre, axis, options.resolution, 2.0 * options.clearance);
       near = near || d < options.clearance - options.resolution;
       if (d >= out.least) continue;
       out.least = d;

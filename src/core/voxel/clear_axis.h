@@ -34,7 +34,8 @@ double holder_distance(const TriangleBvh& part, const std::vector<HolderSection>
 
 struct ClearAxis {
   Vec3 axis = Vec3::UnitZ();
-  bool clear = false;  ///< false: no axis within `most` of the wanted one is; then `axis` is the wanted
+  bool clear =
+      false;  ///< false: no axis within `most` of the wanted one is; then `axis` is the wanted
 };
 
 /// The axis nearest to `wanted` with which the holder is clear, the ball at `centre`. Errors: InputError

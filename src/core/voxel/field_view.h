@@ -14,9 +14,9 @@ namespace patchmill {
 /// (z, or y for a section at constant z), columns along the earlier one.
 struct GridSection {
   int rows = 0, columns = 0;
-  Vec2 origin = Vec2::Zero();  ///< low corner: (column axis, row axis) [mm]
-  double pitch = 0.0;          ///< [mm]
-  double place = 0.0;          ///< middle of the layer along the axis [mm]
+  Vec2 origin = Vec2::Zero();       ///< low corner: (column axis, row axis) [mm]
+  double pitch = 0.0;               ///< [mm]
+  double place = 0.0;               ///< middle of the layer along the axis [mm]
   std::vector<VoxelKind> kind;      ///< row by row
   std::vector<std::int64_t> index;  ///< into the fields, -1 where nothing is stored
 };

@@ -1,0 +1,267 @@
+// Solids, voxel model, fields and their sections for Python.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/bindings.h"
+#include "bindings/solid.h"
+#include "brep/read_shape.h"
+#include "brep/tessellate.h"
+#include "core/geometry/error.h"
+#include "core/voxel/field_view.h"
+#include "core/voxel/transient.h"
+#include "core/voxel/voxel_file.h"
+#include "core/voxel/voxelise.h"
+
+namespace patchmill {
+namespace {
+
+const char* const kKindNames[kVoxelKinds] = {"air", "part", "removal", "surface", "exterior"};
+
+Solid solid_of_brep(const std::string& brep, double deflection, const std::string& property,
+                    bool closed) {
+  TessellationOptions options;
+  options.deflection = deflection;
+  Tessellation made = tessellate(read_shape(brep, property.c_str()), options);
+  if (closed && !made.closed)
+    throw InputError(property, "not a closed solid", made.reason + " Repair the shape.");
+  if (made.mesh.triangles.empty())
+    throw InputError(property, "no faces", made.reason + " Select a shape with faces.");
+  return Solid(std::move(made.mesh));
+}
+
+using Points = Eigen::Matrix<double, -1, 3, Eigen::RowMajor>;
+using Corners = Eigen::Matrix<std::int32_t, -1, 3, Eigen::RowMajor>;
+
+Solid solid_of_arrays(const Points& vertices, const Corners& triangles,
+                      const std::string& property) {
+  TriangleMesh mesh;
+  for (Eigen::Index i = 0; i < vertices.rows(); ++i) mesh.vertices.emplace_back(vertices.row(i));
+  for (Eigen::Index i = 0; i < triangles.rows(); ++i)
+    mesh.triangles.push_back({triangles(i, 0), triangles(i, 1), triangles(i, 2)});
+  require_closed(mesh, property.c_str());
+  return Solid(std::move(mesh));
+}
+
+py::array_t<double> closest_distances(const Solid& solid, const Points& points) {
+  std::vector<double> d(static_cast<std::size_t>(points.rows()));
+  {
+    const py::gil_scoped_release release;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      const Vec3 p = points.row(i);
+      const auto cross = line_crossings(solid.bvh, p.y(), p.z());
+      const auto before = std::upper_bound(cross.begin(), cross.end(), p.x()) - cross.begin();
+      d[i] = (before % 2 == 1 ? -1.0 : 1.0) * closest_point(solid.bvh, p).distance;
+    }
+  }
+  return column_of<double>(d, [](double v) { return v; });
+}
+
+ExteriorRule exterior_rule(const std::string& name) {
+  if (name == "Held") return ExteriorRule::Held;
+  if (name == "Free") return ExteriorRule::Free;
+  throw InputError("Exterior", "'" + name + "'", "give Held or Free.");
+}
+
+PostureOptions posture_options(const std::string& form, const std::string& exterior, double limit,
+                               double crease) {
+  PostureOptions options;
+  if (form != "Angles" && form != "Unit vector")
+    throw InputError("PostureForm", "'" + form + "'", "give Angles or Unit vector.");
+  options.form = form == "Angles" ? PostureForm::Angles : PostureForm::UnitVector;
+  options.exterior = exterior_rule(exterior);
+  options.limit = Angle::radians(limit);
+  options.crease = Angle::radians(crease);
+  return options;
+}
+
+py::dict counts(const VoxelGrid& grid) {
+  const auto count = count_kinds(grid);
+  py::dict d;
+  for (int k = 0; k < kVoxelKinds; ++k) d[kKindNames[k]] = count[static_cast<std::size_t>(k)];
+  return d;
+}
+
+py::dict estimate_dict(const MemoryEstimate& need) {
+  py::dict d;
+  d["grid"] = need.grid;
+  d["fields"] = need.fields;
+  d["solver"] = need.solver;
+  d["total"] = need.total();
+  return d;
+}
+
+template <class T>
+py::array_t<T> image(const GridSection& s, const std::vector<T>& values) {
+  py::array_t<T> array({py::ssize_t{s.rows}, py::ssize_t{s.columns}});
+  std::copy(values.begin(), values.end(), array.mutable_data());
+  return array;
+}
+
+py::dict section_dict(const VoxelGrid& grid, int axis, double place, const FeedField* feed,
+                      const Vec3& direction, const PostureField* posture) {
+  const GridSection s = section_of(grid, axis, place);
+  py::dict d;
+  std::vector<std::uint8_t> kinds;
+  for (const VoxelKind kind : s.kind) kinds.push_back(static_cast<std::uint8_t>(kind));
+  d["kind"] = image(s, kinds);
+  d["origin"] = s.origin;
+  d["pitch"] = s.pitch;
+  d["place"] = s.place;
+  if (feed) d["feed"] = image(s, feed_on(s, *feed, direction));
+  if (posture)
+    d["axis"] = rows_of(axes_on(s, *posture), [](const Vec3& v) {
+                  return v;
+                }).reshape(std::vector<py::ssize_t>{s.rows, s.columns, 3});
+  return d;
+}
+
+py::tuple arrows_tuple(const VoxelGrid& grid, const PostureField& posture, int stride) {
+  const auto arrows = arrows_of(grid, posture, stride);
+  return py::make_tuple(rows_of(arrows, [](const FieldArrow& a) { return a.place; }),
+                        rows_of(arrows, [](const FieldArrow& a) { return a.axis; }));
+}
+
+// The paper's explicit steps of the feed along x, y and z to a time.
+std::pair<FeedField, int> transient_feed(const VoxelGrid& grid, const FeedLimits& limits,
+                                         const std::string& exterior,
+                                         const TransientOptions& options) {
+  const auto role = roles(grid, exterior_rule(exterior));
+  FeedField field;
+  field.limits = limits;
+  int steps = 0;
+  for (int k = 0; k < 3; ++k) {
+    field.along[k] = initial_feed(grid, limits);
+    steps = diffuse_transient(grid.table, role, static_cast<DiffusionAxes>(k), grid.frame.pitch,
+                              options, field.along[k]);
+  }
+  return {std::move(field), steps};
+}
+
+void bind_solids(py::module_& m) {
+  py::class_<Solid>(m, "Solid", "A part or stock as triangles, with a tree over them. mm.")
+      .def(py::init(&solid_of_arrays), py::arg("vertices"), py::arg("triangles"),
+           py::arg("property") = "mesh", "(n, 3) corners and (m, 3) indices; must be closed.")
+      .def_static(
+          "box", [](const Vec3& lo, const Vec3& hi) { return Solid(box_mesh(lo, hi)); },
+          py::arg("low"), py::arg("high"))
+      .def_property_readonly("bounds",
+                             [](const Solid& s) {
+                               const Box b = bounds(s.mesh);
+                               return py::make_tuple(b.lo, b.hi);
+                             })
+      .def_property_readonly("volume", [](const Solid& s) { return volume(s.mesh); })
+      .def_property_readonly(
+          "vertices",
+          [](const Solid& s) { return rows_of(s.mesh.vertices, [](const Vec3& v) { return v; }); })
+      .def_property_readonly("triangle_count",
+                             [](const Solid& s) { return s.mesh.triangles.size(); })
+      .def("signed_distances", &closest_distances, py::arg("points"),
+           "Of (n, 3) points from the surface [mm], negative inside; the solid must be closed.");
+  m.def("solid_of_brep", &solid_of_brep, py::arg("brep"), py::arg("deflection"),
+        py::arg("property"), py::arg("closed") = true, py::call_guard<py::gil_scoped_release>(),
+        "BREP text as a Solid. Raises InputError naming `property` if it is not closed.");
+}
+
+void bind_grid(py::module_& m) {
+  py::class_<VoxelGrid>(m, "VoxelGrid", "The removal volume: stock less part, in cubes.")
+      .def_property_readonly("pitch", [](const VoxelGrid& g) { return g.frame.pitch; })
+      .def_property_readonly("origin", [](const VoxelGrid& g) { return g.frame.origin; })
+      .def_property_readonly("cells", [](const VoxelGrid& g) { return g.frame.cells; })
+      .def_property_readonly("counts", &counts, "Stored voxels by kind.")
+      .def_property_readonly(
+          "memory", [](const VoxelGrid& g) { return estimate_dict(memory_of(g.table)); },
+          "Bytes of the model, its fields and the solver.")
+      .def("section", &section_dict, py::arg("axis"), py::arg("place"), py::arg("feed") = nullptr,
+           py::arg("direction") = Vec3(Vec3::UnitX()), py::arg("posture") = nullptr,
+           "One layer at right angles to axis 0, 1 or 2: kind (rows, columns), origin, pitch, and "
+           "feed [mm/s] and unit axis (rows, columns, 3) of the fields given; NaN elsewhere.")
+      .def("arrows", &arrows_tuple, py::arg("posture"), py::arg("stride") = 2,
+           "(places, unit axes), both (n, 3), of every stride-th voxel to be removed.");
+  m.def(
+      "estimate_voxels",
+      [](const Solid& stock, const Solid& part, double pitch) {
+        const GridFrame frame = frame_over(bounds(stock.mesh), pitch);
+        return estimate_dict(estimate_memory(frame,
+                                             std::max(0.0, volume(stock.mesh) - volume(part.mesh)),
+                                             surface_area(stock.mesh) + surface_area(part.mesh)));
+      },
+      py::arg("stock"), py::arg("part"), py::arg("pitch"), "Bytes foreseen, nothing allocated.");
+  m.def(
+      "voxelise",
+      [](const Solid& stock, const Solid& part, double pitch, double limit) {
+        return voxelise(stock.mesh, part.mesh, {pitch, limit});
+      },
+      py::arg("stock"), py::arg("part"), py::arg("pitch"),
+      py::arg("memory_limit") = VoxelOptions().memory_limit,
+      py::call_guard<py::gil_scoped_release>(), "VoxelGrid with cubes of side `pitch` [mm].");
+  m.def(
+      "save_voxels",
+      [](const std::string& path, const std::string& key, const VoxelGrid& grid,
+         const PostureField* posture) {
+        VoxelModel model{grid, std::nullopt};
+        if (posture) model.posture = *posture;
+        write_voxel_model(path, key, model);
+      },
+      py::arg("path"), py::arg("key"), py::arg("grid"), py::arg("posture") = nullptr,
+      py::call_guard<py::gil_scoped_release>());
+  m.def(
+      "load_voxels",
+      [](const std::string& path, const std::string& key) -> py::object {
+        std::optional<VoxelModel> model = read_voxel_model(path, key);
+        if (!model) return py::none();
+        const py::object posture =
+            model->posture ? py::cast(std::move(*model->posture)) : py::none();
+        return py::make_tuple(std::move(model->grid), posture);
+      },
+      py::arg("path"), py::arg("key"), "(grid, posture or None), or None if made of other input.");
+}
+
+}  // namespace
+
+void bind_dcm(py::module_& m) {
+  py::class_<FeedField>(m, "FeedField", "V_x, V_y, V_z over a VoxelGrid [mm/s].")
+      .def_property_readonly("low", [](const FeedField& f) { return f.limits.low; })
+      .def_property_readonly("high", [](const FeedField& f) { return f.limits.high; });
+  py::class_<PostureField>(m, "PostureField", "Tool axis over a VoxelGrid.")
+      .def_property_readonly("converged", [](const PostureField& p) { return p.outcome.converged; })
+      .def_property_readonly("cancelled", [](const PostureField& p) { return p.outcome.cancelled; })
+      .def_property_readonly("iterations",
+                             [](const PostureField& p) { return p.outcome.iterations; })
+      .def_property_readonly(
+          "history", [](const PostureField& p) { return p.outcome.history; },
+          "Relative residual before the first iteration and after each.")
+      .def_property_readonly("residual",
+                             [](const PostureField& p) { return p.outcome.true_residual; });
+  bind_solids(m);
+  bind_grid(m);
+  m.def(
+      "steady_feed",
+      [](const VoxelGrid& grid, double low, double high, const std::string& exterior) {
+        return steady_feed(grid, {low, high}, exterior_rule(exterior));
+      },
+      py::arg("grid"), py::arg("low"), py::arg("high"), py::arg("exterior") = "Held",
+      py::call_guard<py::gil_scoped_release>(), "FeedField between V_Lo and V_Hi [mm/s].");
+  m.def(
+      "diffuse_feed",
+      [](const VoxelGrid& grid, double low, double high, double time, double step,
+         double diffusivity, bool substep, const std::string& exterior) {
+        return transient_feed(grid, {low, high}, exterior, {time, step, diffusivity, substep});
+      },
+      py::arg("grid"), py::arg("low"), py::arg("high"), py::arg("time"), py::arg("step"),
+      py::arg("diffusivity"), py::arg("substep") = false, py::arg("exterior") = "Held",
+      py::call_guard<py::gil_scoped_release>(),
+      "(FeedField after `time` [s], steps taken); steps beyond the limit are refused or divided.");
+  m.def(
+      "steady_posture",
+      [](const VoxelGrid& grid, const Solid& part, const std::string& form,
+         const std::string& exterior, double limit, double crease, const py::object& progress) {
+        const PostureOptions options = posture_options(form, exterior, limit, crease);
+        const Progress report = progress_of(progress);
+        const py::gil_scoped_release release;
+        return steady_posture(grid, part.mesh, part.bvh, options, report);
+      },
+      py::arg("grid"), py::arg("part"), py::arg("form") = "Angles", py::arg("exterior") = "Held",
+      py::arg("limit") = PostureOptions().limit.radians(),
+      py::arg("crease") = PostureOptions().crease.radians(), py::arg("progress") = py::none(),
+      "PostureField; `limit` and `crease` [rad].");
+}
+
+}  // namespace patchmill

@@ -1,0 +1,198 @@
+// Paths through the voxel model, and copy milling, for Python.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/bindings.h"
+#include "bindings/solid.h"
+#include "core/copy/copy_milling.h"
+#include "core/geometry/error.h"
+#include "core/voxel/air_cuts.h"
+#include "core/voxel/apply_dcm.h"
+#include "core/voxel/clear_axis.h"
+
+namespace patchmill {
+namespace {
+
+using Rows = Eigen::Matrix<double, -1, 3, Eigen::RowMajor>;
+
+ToolPath make_path(const BallEndMill& tool, const Spindle& spindle, const Vec3& start,
+                   const Rows& tips, const std::optional<Rows>& axes,
+                   const std::vector<std::uint8_t>& kinds, const std::vector<double>& turns) {
+  const auto n = static_cast<std::size_t>(tips.rows());
+  if (kinds.size() != n || turns.size() != n || (axes && axes->rows() != tips.rows()))
+    throw InputError("path", "arrays of different length", "give one row for each move.");
+  ToolPath path;
+  path.tool = tool;
+  path.spindle = spindle;
+  path.start.tip = start;
+  for (std::size_t i = 0; i < n; ++i) {
+    Move move;
+    move.end.tip = tips.row(static_cast<Eigen::Index>(i));
+    if (axes) move.end.axis = axes->row(static_cast<Eigen::Index>(i)).normalized();
+    if (kinds[i] > 2) throw InputError("kind", std::to_string(kinds[i]), "give 0, 1 or 2.");
+    move.kind = static_cast<MoveKind>(kinds[i]);
+    move.turns = turns[i];
+    path.moves.push_back(move);
+  }
+  if (axes && n > 0) path.start.axis = path.moves.front().end.axis;
+  return path;
+}
+
+using Sections = std::vector<std::array<double, 4>>;
+
+std::vector<HolderSection> holder_of(const Sections& sections) {
+  std::vector<HolderSection> holder;
+  for (const auto& s : sections) holder.push_back({s[0], s[1], s[2], s[3]});
+  return holder;
+}
+
+ClearOptions clear_options(double clearance, double lowest) {
+  ClearOptions options;
+  options.clearance = clearance;
+  options.lowest = Angle::radians(lowest);
+  return options;
+}
+
+DcmOptions dcm_options(const std::string& reading, const std::string& read_at,
+                       double feed_tolerance, double axis_tolerance, double axis_rate,
+                       double acceleration) {
+  DcmOptions options;
+  if (reading != "Smooth" && reading != "Staircase")
+    throw InputError("Reading", "'" + reading + "'", "give Smooth or Staircase.");
+  if (read_at != "Ball centre" && read_at != "Tip")
+    throw InputError("ReadAt", "'" + read_at + "'", "give Ball centre or Tip.");
+  options.reading = reading == "Smooth" ? Reading::Trilinear : Reading::Nearest;
+  options.read_at = read_at == "Tip" ? ReadAt::Tip : ReadAt::BallCentre;
+  options.feed_tolerance = feed_tolerance;
+  options.axis_tolerance = Angle::radians(axis_tolerance);
+  options.axis_rate = axis_rate;
+  options.acceleration = acceleration;
+  return options;
+}
+
+py::array_t<std::int64_t> source_array(const std::vector<std::int64_t>& source) {
+  return column_of<std::int64_t>(source, [](std::int64_t v) { return v; });
+}
+
+py::tuple apply(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
+                const PostureField* posture, const Solid* part, const Sections& holder,
+                double clearance, double lowest, const std::string& reading,
+                const std::string& read_at, double feed_tolerance, double axis_tolerance,
+                double axis_rate, double acceleration) {
+  DcmOptions options =
+      dcm_options(reading, read_at, feed_tolerance, axis_tolerance, axis_rate, acceleration);
+  const auto sections = holder_of(holder);
+  const ClearOptions limits = clear_options(clearance, lowest);
+  std::int64_t not_clear = 0;
+  if (part && !sections.empty())
+    options.axis_rule = [&](const Vec3& centre, const Vec3& wanted) {
+      const ClearAxis found = clear_axis(part->bvh, sections, centre, wanted, limits);
+      not_clear += found.clear ? 0 : 1;
+      return found.axis;
+    };
+  std::vector<std::int64_t> source;
+  ToolPath out;
+  {
+    const py::gil_scoped_release release;
+    out = apply_dcm(path, grid, feed, posture, options, &source);
+  }
+  return py::make_tuple(std::move(out), source_array(source), not_clear);
+}
+
+py::dict steps_dict(const ToolPath& path) {
+  const PathSteps s = path_steps(path);
+  py::dict d;
+  d["feed"] = s.feed;
+  d["feed_at_corners"] = s.feed_at_corners;
+  d["axis_per_move"] = s.axis_per_move.radians();
+  d["axis_at_rest"] = s.axis_at_rest.radians();
+  d["axis_rate"] = s.axis_rate;
+  d["moves"] = s.moves;
+  return d;
+}
+
+py::dict clearance_dict(const Solid& part, const Sections& holder, const ToolPath& path,
+                        double clearance, double step) {
+  PathClearance found;
+  {
+    const py::gil_scoped_release release;
+    found = path_clearance(part.bvh, holder_of(holder), path, clear_options(clearance, kPi), step);
+  }
+  py::dict d;
+  d["least"] = found.least;
+  d["move"] = found.move;
+  d["too_near"] = found.too_near;
+  return d;
+}
+
+CopyMode copy_mode(const std::string& name) {
+  if (name == "Scanning") return CopyMode::Scanning;
+  if (name == "Scanning with undercuts") return CopyMode::ScanningUndercut;
+  if (name == "Contour") return CopyMode::Contour;
+  throw InputError("Mode", "'" + name + "'", "give Scanning, Scanning with undercuts, or Contour.");
+}
+
+void bind_copy(py::module_& m) {
+  py::class_<CopyOptions>(m, "CopyOptions", "What copy_mill needs beside the part. mm, s.")
+      .def(py::init([](const std::string& mode, const BallEndMill& tool, const Spindle& spindle,
+                       double feed, double radial_depth, double axial_depth, double tolerance,
+                       double allowance, const Vec3& low, const Vec3& high, double clearance) {
+             CopyOptions o{copy_mode(mode), tool,      spindle,   feed,  radial_depth,
+                           axial_depth,     tolerance, allowance, Box(), clearance};
+             o.stock.include(low);
+             o.stock.include(high);
+             return o;
+           }),
+           py::arg("mode"), py::arg("tool"), py::arg("spindle"), py::arg("feed"),
+           py::arg("radial_depth"), py::arg("axial_depth"), py::arg("tolerance"),
+           py::arg("allowance"), py::arg("low"), py::arg("high"), py::arg("clearance"));
+  m.def(
+      "copy_mill",
+      [](const Solid& part, const CopyOptions& options, const py::object& progress) {
+        const Progress report = progress_of(progress);
+        const py::gil_scoped_release release;
+        return copy_mill(part.bvh, options, report);
+      },
+      py::arg("part"), py::arg("options"), py::arg("progress") = py::none(),
+      "ToolPath of an upright ball end mill over the part, layer by layer from the stock.");
+  m.def("scallop_height", &scallop_height, py::arg("radius"), py::arg("cross_feed"),
+        "Ridge on a flat between passes [mm].");
+}
+
+}  // namespace
+
+void bind_dcm_path(py::module_& m) {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  m.def("make_path", &make_path, py::arg("tool"), py::arg("spindle"), py::arg("start"),
+        py::arg("tips"), py::arg("axes"), py::arg("kinds"), py::arg("turns"),
+        "ToolPath from arrays as ToolPath gives them; `axes` may be None for an upright tool.");
+  m.def("apply_dcm", &apply, py::arg("path"), py::arg("grid"), py::arg("feed"), py::arg("posture"),
+        py::arg("part") = nullptr, py::arg("holder") = Sections(), py::arg("clearance") = 1.0,
+        py::arg("lowest") = kPi / 2, py::arg("reading") = "Smooth",
+        py::arg("read_at") = "Ball centre", py::arg("feed_tolerance") = 0.1,
+        py::arg("axis_tolerance") = 0.0043633231299858, py::arg("axis_rate") = kNoLimit,
+        py::arg("acceleration") = kNoLimit,
+        "(path, number of the given move of each move, places where no axis was clear). `holder`: "
+        "frusta (from, to, radius from, radius to), heights above the ball centre [mm].");
+  m.def("path_steps", &steps_dict, py::arg("path"),
+        "Largest changes from move to move: feed [mm/s], axis [rad], rate [rad/s].");
+  m.def("holder_clearance", &clearance_dict, py::arg("part"), py::arg("holder"), py::arg("path"),
+        py::arg("clearance"), py::arg("step") = 0.5,
+        "Smallest distance of the holder from the part along the timed moves [mm], where, and how "
+        "many moves come nearer than `clearance`.");
+  m.def(
+      "hurry_in_air",
+      [](const ToolPath& path, const VoxelGrid& grid, double feed) {
+        std::vector<std::int64_t> source;
+        ToolPath out;
+        {
+          const py::gil_scoped_release release;
+          out = hurry_in_air(path, grid, {feed, 0.0}, &source);
+        }
+        return py::make_tuple(std::move(out), source_array(source));
+      },
+      py::arg("path"), py::arg("grid"), py::arg("feed"),
+      "(path with moves through emptied voxels at `feed` [mm/s], number of the given move of "
+      "each)");
+  bind_copy(m);
+}
+
+}  // namespace patchmill

@@ -1,0 +1,15 @@
+// A part or stock as Python holds it: its mesh and the tree over it, made once.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/voxel/triangle_bvh.h"
+
+namespace patchmill {
+
+struct Solid {
+  TriangleMesh mesh;
+  TriangleBvh bvh;
+  explicit Solid(TriangleMesh given) : mesh(std::move(given)), bvh(mesh) {}
+};
+
+}  // namespace patchmill

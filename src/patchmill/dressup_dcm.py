@@ -1,0 +1,176 @@
+"""DressupDCM: feed, tool posture or both of any operation, taken from the voxel model of what is still to be
+removed (Kobayashi & Shirase 2014; docs/dcm-fields.md).
+
+    dressup = patchmill.DressupDCM.Create("DressupDCM", op)       # op: an operation of the job
+    dressup.VoxelSize, dressup.FeedAtProduct, dressup.FeedAtSkin = 1.0, "400 mm/min", "800 mm/min"
+    patchmill.DressupDCM.recompute(dressup)                       # raises patchmill.InputError
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import FreeCAD
+from _patchmill import InputError
+
+from patchmill import dcm, host, removal_model
+from patchmill.translate import QT_TRANSLATE_NOOP
+
+CONTROLS = ["Feed", "Posture", "Feed and posture"]
+# type, name, group, tip, default; a list as default is an enumeration, its first value the default
+PROPERTIES = [
+    ("App::PropertyEnumeration", "Controls", "DCM", "What is taken from the voxel model", CONTROLS),
+    ("App::PropertyLength", "VoxelSize", "DCM", "Side of a voxel", 2.0),
+    ("App::PropertySpeed", "FeedAtProduct", "DCM", "Feed at the product's surface, V_Lo", 400.0 / 60.0),
+    ("App::PropertySpeed", "FeedAtSkin", "DCM", "Feed at the skin of the stock, V_Hi", 800.0 / 60.0),
+    ("App::PropertySpeed", "FeedInAir", "DCM", "Feed where nothing is left to cut; 0: as elsewhere", 0.0),
+    ("App::PropertyBool", "KeepPlunges", "DCM", "Moves that go down steeply never get faster", True),
+    (
+        "App::PropertyEnumeration",
+        "Exterior",
+        "DCM",
+        "Whether the values at the skin of the stock are held, or are only where diffusion begins",
+        ["Held", "Free"],
+    ),
+    (
+        "App::PropertyEnumeration",
+        "PostureForm",
+        "DCM",
+        "Diffuse the two angles (as in the paper) or the unit vector of the axis",
+        ["Angles", "Unit vector"],
+    ),
+    ("App::PropertyAngle", "TiltLimit", "DCM", "Greatest angle of the posture about X and about Y", 70.0),
+    (
+        "App::PropertyEnumeration",
+        "Reading",
+        "DCM",
+        "Interpolate between voxels, or take each voxel's value (the paper's staircase)",
+        ["Smooth", "Staircase"],
+    ),
+    ("App::PropertyEnumeration", "ReadAt", "DCM", "Where the voxels are read", ["Ball centre", "Tip"]),
+    ("App::PropertySpeed", "FeedTolerance", "Limits", "Of a move's feed from the field's", 0.1),
+    ("App::PropertyAngle", "AxisTolerance", "Limits", "Of the axis along a move", 0.25),
+    ("App::PropertyString", "Machine", "Limits", "Name of the machine file; empty: no limits", ""),
+    (
+        "App::PropertyStringList",
+        "Holder",
+        "Limits",
+        "Frusta of shank and holder: 'from to diameter diameter', heights above the tip in mm",
+        [],
+    ),
+    ("App::PropertyLength", "HolderClearance", "Limits", "That is kept between holder and part", 1.0),
+    ("App::PropertyLength", "Deflection", "Limits", "Of the triangles that stand for the shapes", 0.05),
+    ("App::PropertyFloat", "MemoryLimit", "Limits", "For the voxel model and its fields, in MiB", 4096.0),
+]
+RESULTS = [
+    ("App::PropertyInteger", "Moves", "Result", "Timed moves"),
+    ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves but rapids, in seconds"),
+    ("App::PropertyFloat", "BaseTime", "Result", "The base operation's, in seconds"),
+    ("App::PropertyFloat", "LargestFeedStep", "Result", "Between moves that go straight on, in mm/min"),
+    ("App::PropertyFloat", "LargestAxisStep", "Result", "Within a move, in degrees"),
+    ("App::PropertyInteger", "Voxels", "Result", "That are stored"),
+    ("App::PropertyInteger", "NotClear", "Result", "Places where no axis keeps the holder clear"),
+]
+
+
+class DressupDCM:
+    """Proxy. `model` is the RemovalModel and `result` the dcm.Result of the last good execute, else None;
+    `error` the InputError of the last execute, else None. None is saved."""
+
+    model = result = error = None
+
+    def __init__(self, obj, base):
+        obj.addProperty(
+            "App::PropertyLink", "Base", "Base", QT_TRANSLATE_NOOP("App::Property", "Path to modify")
+        )
+        obj.Base = base
+        add_properties(obj)
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    def __getstate__(self):
+        return None
+
+    def __setstate__(self, state):
+        return None
+
+    def onDocumentRestored(self, obj):
+        add_properties(obj)
+
+    def onDelete(self, obj, args=None):
+        """Puts the base operation back in the job; called before the dressup goes."""
+        if obj.Base:
+            job = host.PathUtils.findParentJob(obj)
+            if job:
+                job.Proxy.addOperation(obj.Base, obj)
+            if obj.Base.ViewObject:
+                obj.Base.ViewObject.Visibility = True
+            obj.Base = None
+        return True
+
+    def execute(self, obj):
+        self.model = self.result = self.error = None
+        obj.Path = host.Path.Path()
+        if not obj.Base or not getattr(obj.Base, "Path", None):
+            return
+        try:
+            given = dcm.input_of(obj)
+            self.model = removal_model.make(
+                given.model, removal_model.file_beside(obj.Document, obj.Name)
+            )
+            self.result = dcm.apply(given, self.model)
+        except InputError as error:
+            self.error = error
+            raise
+        obj.Path = host.Path.Path(self.result.commands)
+        show_results(obj, self.model, self.result)
+
+
+def add_properties(obj):
+    """Those that the object lacks: new ones, and those of documents of older versions."""
+    for kind, name, group, tip, default in PROPERTIES:
+        if not hasattr(obj, name):
+            obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
+            setattr(obj, name, default)  # a list sets an enumeration's choices
+    for kind, name, group, tip in RESULTS:
+        if not hasattr(obj, name):
+            obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
+        obj.setEditorMode(name, 1)
+
+
+def show_results(obj, model, result):
+    counts = model.grid.counts
+    obj.Moves = result.steps["moves"]
+    obj.MachiningTime = result.seconds
+    obj.BaseTime = result.base_seconds
+    obj.LargestFeedStep = 60.0 * result.steps["feed"]
+    obj.LargestAxisStep = result.axis_step_degrees
+    obj.Voxels = counts["removal"] + counts["surface"] + counts["exterior"]
+    obj.NotClear = result.not_clear
+
+
+def Create(name, base):
+    """A new DressupDCM in the place of `base`, an operation or dressup of a job."""
+    if not base.isDerivedFrom("Path::Feature") or base.isDerivedFrom("Path::FeatureCompoundPython"):
+        raise InputError("Base", base.Label, "choose an operation or a dressup of a job.")
+    job = host.PathUtils.findParentJob(base)
+    if job is None:
+        raise InputError("Base", base.Label, "it belongs to no job: choose one that does.")
+    obj = FreeCAD.ActiveDocument.addObject("Path::FeaturePython", name)
+    obj.Proxy = DressupDCM(obj, base)
+    job.Proxy.addOperation(obj, base, True)  # takes the base's place among the operations
+    return obj
+
+
+def recompute(obj):
+    """Recomputes a dressup and returns its dcm.Result. Raises InputError with the reason if there is none;
+    FreeCAD itself would only mark the object."""
+    obj.touch()
+    obj.Document.recompute()
+    if obj.Proxy.error is not None:
+        raise obj.Proxy.error
+    if obj.Proxy.result is None:
+        raise InputError("Base", "no path", "recompute the base operation first.")
+    return obj.Proxy.result

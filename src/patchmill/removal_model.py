@@ -1,0 +1,133 @@
+"""The voxel model of what is to be removed: made from a job's stock and model, kept in a file beside the
+document, and made anew when an input has changed (Kobayashi & Shirase 2014; docs/dcm-fields.md).
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import hashlib
+import math
+import os
+import weakref
+from dataclasses import dataclass
+
+import _patchmill as core
+from _patchmill import InputError
+
+MIB = 1024.0 * 1024.0
+_in_use = weakref.WeakValueDictionary()
+
+
+@dataclass
+class ModelInput:
+    """What the model is made from. mm, degrees, MiB; shapes as BREP texts."""
+
+    stock: str
+    part: str
+    pitch: float
+    deflection: float
+    memory_limit: float
+    posture: bool
+    form: str = "Angles"
+    exterior: str = "Held"
+    tilt_limit: float = 70.0
+
+    def key(self):
+        """Says whether a saved model is of the same input."""
+        digest = hashlib.sha256()
+        for value in (self.stock, self.part, self.pitch, self.deflection, self.posture):
+            digest.update(repr(value).encode())
+        if self.posture:
+            digest.update(repr((self.form, self.exterior, self.tilt_limit)).encode())
+        return "1 " + digest.hexdigest()
+
+
+class RemovalModel:
+    """`grid` and `posture` of _patchmill, `stock` and `part` as _patchmill.Solid; `loaded`: from the file."""
+
+    def __init__(self, given, grid, posture, stock, part, loaded):
+        self.given, self.grid, self.posture = given, grid, posture
+        self.stock, self.part, self.loaded = stock, part, loaded
+
+    def feed(self, low, high):
+        """The _patchmill.FeedField between V_Lo and V_Hi [mm/s]."""
+        return core.steady_feed(self.grid, low, high, self.given.exterior)
+
+
+def make(given, file="", progress=None):
+    """The RemovalModel of a ModelInput: one that is in use, the one in `file`, or a new one, which is then
+    written to `file` (if that is not ''). Raises InputError naming Stock, Model, VoxelSize or MemoryLimit."""
+    _check(given)
+    key = given.key()
+    if key in _in_use:
+        return _in_use[key]
+    part = _solid(given.part, given.deflection, "Model")
+    stock = _solid(given.stock, given.deflection, "Stock")
+    found = core.load_voxels(file, key) if file else None
+    if found is not None:
+        model = RemovalModel(given, *found, stock, part, True)
+    else:
+        model = _new(given, stock, part, progress)
+        if file:
+            core.save_voxels(file, key, model.grid, model.posture)
+    _in_use[key] = model
+    return model
+
+
+def estimate(given):
+    """Bytes that the model of a ModelInput will take: dict with grid, fields, solver, total; nothing is
+    allocated for it yet."""
+    _check(given)
+    part = _solid(given.part, given.deflection, "Model")
+    return core.estimate_voxels(_solid(given.stock, given.deflection, "Stock"), part, given.pitch)
+
+
+def file_beside(document, name):
+    """Where the model of the object `name` is kept; '' for a document that was never saved."""
+    if not document.FileName:
+        return ""
+    return "%s-%s.voxels" % (os.path.splitext(document.FileName)[0], name)
+
+
+def _check(given):
+    if not (math.isfinite(given.pitch) and given.pitch > 0.0):
+        raise InputError("VoxelSize", "%g mm" % given.pitch, "give a size greater than zero.")
+    if not given.memory_limit > 0.0:
+        raise InputError("MemoryLimit", "%g MiB" % given.memory_limit, "give more than zero.")
+
+
+def _new(given, stock, part, progress):
+    try:
+        grid = core.voxelise(stock, part, given.pitch, given.memory_limit * MIB)
+    except InputError as error:  # the core's own names are not the properties'
+        names = {"voxel size": "VoxelSize", "part": "Model", "stock": "Stock", "removal volume": "Stock"}
+        raise InputError(names.get(error.property, error.property), error.value, error.remedy) from error
+    posture = None
+    if given.posture:
+        posture = core.steady_posture(
+            grid, part, given.form, given.exterior, math.radians(given.tilt_limit), progress=progress
+        )
+        if posture.cancelled:
+            raise InputError("VoxelSize", "%g mm" % given.pitch, "cancelled: recompute to try again.")
+        if not posture.converged:
+            raise InputError(
+                "VoxelSize",
+                "%g mm" % given.pitch,
+                "the posture did not converge (residual %.1e): try another size." % posture.residual,
+            )
+    return RemovalModel(given, grid, posture, stock, part, False)
+
+
+def _solid(brep, deflection, name):
+    return core.solid_of_brep(brep, deflection, name)
+
+
+def job_shapes(job):
+    """(stock, part) of a job as BREP texts. Raises InputError naming Stock or Model."""
+    stock = getattr(job.Stock, "Shape", None)
+    if stock is None or stock.isNull():
+        raise InputError("Stock", "none", "give the job a stock.")
+    shapes = [m.Shape for m in job.Model.Group if hasattr(m, "Shape") and not m.Shape.isNull()]
+    if not shapes:
+        raise InputError("Model", "none", "give the job a model.")
+    part = shapes[0] if len(shapes) == 1 else shapes[0].multiFuse(shapes[1:])
+    return stock.exportBrepToString(), part.exportBrepToString()

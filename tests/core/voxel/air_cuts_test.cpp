@@ -1,0 +1,96 @@
+// Emptied voxels, and the moves that are hurried over.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/voxel/air_cuts.h"
+
+#include "core/geometry/error.h"
+#include "core/voxel/voxelise.h"
+#include "voxel/shapes.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace patchmill {
+namespace {
+
+constexpr double kRadius = 3.0;
+
+VoxelGrid block(double pitch) {
+  VoxelOptions options;
+  options.pitch = pitch;
+  return voxelise(box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 20)),
+                  box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 8)), options);
+}
+
+ToolPath passes(const std::vector<Vec3>& tips, double speed) {
+  ToolPath path;
+  path.tool = {kRadius, 2};
+  path.spindle.speed = 100.0;
+  path.start.tip = tips.front();
+  Vec3 from = tips.front();
+  for (std::size_t i = 1; i < tips.size(); ++i) {
+    Move move;
+    move.kind = MoveKind::Cut;
+    move.end.tip = tips[i];
+    move.turns = path.spindle.speed * (tips[i] - from).norm() / speed;
+    path.moves.push_back(move);
+    from = tips[i];
+  }
+  return path;
+}
+
+TEST(RemainingStock, LosesTheVolumeOfASlot) {
+  const VoxelGrid grid = block(1.0);
+  RemainingStock stock(grid);
+  const double before = stock.volume();
+  const auto count = count_kinds(grid);
+  EXPECT_NEAR(before, double(count[2] + count[3] + count[4]), 1e-6);
+  for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 13), Vec3::UnitZ(), kRadius);
+  const double slot = 40 * (0.5 * kPi * kRadius * kRadius + 2 * kRadius * 7);
+  EXPECT_NEAR(before - stock.volume(), slot, 0.01 * slot);
+}
+
+TEST(RemainingStock, ALyingToolCutsTheSameSlot) {
+  const VoxelGrid grid = block(1.0);
+  RemainingStock stock(grid);
+  const double before = stock.volume();
+  const Vec3 axis = Vec3(0, 1, 0);
+  for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 14), axis, kRadius);
+  const double slot = 40 * (0.5 * kPi * kRadius * kRadius + 2 * kRadius * 20);
+  EXPECT_NEAR(before - stock.volume(), slot, 0.01 * slot);
+}
+
+TEST(HurryInAir, ASecondPassOverTheSamePlaceIsAir) {
+  const VoxelGrid grid = block(1.0);
+  const ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10), Vec3(-5, 20, 10)}, 10.0);
+  std::vector<std::int64_t> source;
+  const ToolPath out = hurry_in_air(path, grid, {50.0, 0.0}, &source);
+  ASSERT_EQ(source.size(), out.moves.size());
+  double first = 0.0, second = 0.0;
+  for (std::size_t i = 0; i < source.size(); ++i)
+    (source[i] == 0 ? first : second) += duration(out.moves[i], out.spindle);
+  EXPECT_NEAR(second, 50.0 / 50.0, 1e-9);
+  // the ball meets the block from x = -3 on, at its equator: 2 mm in and from x = 40 on 5 mm out are air
+  EXPECT_NEAR(first, 43.0 / 10.0 + 7.0 / 50.0, 0.2);
+  EXPECT_EQ(out.moves.back().end.tip, path.moves.back().end.tip);
+}
+
+TEST(HurryInAir, NeverSlowsAndNeverTouchesWhatCuts) {
+  const VoxelGrid grid = block(2.0);
+  const ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10)}, 80.0);
+  const ToolPath out = hurry_in_air(path, grid, {50.0, 0.0});
+  double sum = 0.0;
+  for (const Move& m : out.moves) sum += duration(m, out.spindle);
+  EXPECT_NEAR(sum, 50.0 / 80.0, 1e-9);
+}
+
+TEST(HurryInAir, RefusesATextureAndABadFeed) {
+  const VoxelGrid grid = block(2.0);
+  ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10)}, 10.0);
+  EXPECT_THROW(hurry_in_air(path, grid, {0.0, 0.0}), InputError);
+  path.moves[0].dimple = 3;
+  EXPECT_THROW(hurry_in_air(path, grid, {50.0, 0.0}), InputError);
+}
+
+}  // namespace
+}  // namespace patchmill
