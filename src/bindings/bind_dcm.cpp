@@ -151,6 +151,16 @@ void bind_solids(py::module_& m) {
       .def_property_readonly(
           "vertices",
           [](const Solid& s) { return rows_of(s.mesh.vertices, [](const Vec3& v) { return v; }); })
+      .def_property_readonly(
+          "triangles",
+          [](const Solid& s) {
+            py::array_t<std::int32_t> a(
+                {static_cast<py::ssize_t>(s.mesh.triangles.size()), py::ssize_t{3}});
+            auto out = a.mutable_unchecked<2>();
+            for (py::ssize_t i = 0; i < out.shape(0); ++i)
+              for (py::ssize_t k = 0; k < 3; ++k) out(i, k) = s.mesh.triangles[i][k];
+            return a;
+          })
       .def_property_readonly("triangle_count",
                              [](const Solid& s) { return s.mesh.triangles.size(); })
       .def("signed_distances", &closest_distances, py::arg("points"),

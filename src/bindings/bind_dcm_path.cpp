@@ -123,6 +123,18 @@ py::dict clearance_dict(const Solid& part, const Sections& holder, const ToolPat
   return d;
 }
 
+ToolPath joined(const std::vector<ToolPath>& paths) {
+  if (paths.empty()) throw InputError("path", "none", "give one or more paths.");
+  ToolPath out = paths.front();
+  for (std::size_t i = 1; i < paths.size(); ++i) {
+    Move over;  // from the end of one to the start of the next: both are clear of the stock
+    over.end = paths[i].start;
+    out.moves.push_back(over);
+    out.moves.insert(out.moves.end(), paths[i].moves.begin(), paths[i].moves.end());
+  }
+  return out;
+}
+
 CopyMode copy_mode(const std::string& name) {
   if (name == "Scanning") return CopyMode::Scanning;
   if (name == "Scanning with undercuts") return CopyMode::ScanningUndercut;
@@ -153,6 +165,8 @@ void bind_copy(py::module_& m) {
       },
       py::arg("part"), py::arg("options"), py::arg("progress") = py::none(),
       "ToolPath of an upright ball end mill over the part, layer by layer from the stock.");
+  m.def("joined", &joined, py::arg("paths"),
+        "Paths one after the other, a rapid between; tool and spindle are the first one's.");
   m.def("scallop_height", &scallop_height, py::arg("radius"), py::arg("cross_feed"),
         "Ridge on a flat between passes [mm].");
 }
@@ -180,16 +194,17 @@ void bind_dcm_path(py::module_& m) {
         "many moves come nearer than `clearance`.");
   m.def(
       "hurry_in_air",
-      [](const ToolPath& path, const VoxelGrid& grid, double feed) {
+      [](const ToolPath& path, const VoxelGrid& grid, double feed, bool flat) {
         std::vector<std::int64_t> source;
         ToolPath out;
         {
           const py::gil_scoped_release release;
-          out = hurry_in_air(path, grid, {feed, 0.0}, &source);
+          out =
+              hurry_in_air(path, grid, {feed, 0.0, flat ? ToolEnd::Flat : ToolEnd::Ball}, &source);
         }
         return py::make_tuple(std::move(out), source_array(source));
       },
-      py::arg("path"), py::arg("grid"), py::arg("feed"),
+      py::arg("path"), py::arg("grid"), py::arg("feed"), py::arg("flat") = false,
       "(path with moves through emptied voxels at `feed` [mm/s], number of the given move of "
       "each)");
   bind_copy(m);

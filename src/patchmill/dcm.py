@@ -31,6 +31,7 @@ class DcmInput:
     low: float
     high: float
     air: float
+    flat: bool
     keep_plunges: bool
     reading: str
     read_at: str
@@ -100,6 +101,7 @@ def input_of(obj):
         low=obj.FeedAtProduct.Value,
         high=obj.FeedAtSkin.Value,
         air=obj.FeedInAir.Value,
+        flat=_is_flat(operation, obj.FeedInAir.Value),
         keep_plunges=obj.KeepPlunges,
         reading=obj.Reading,
         read_at=obj.ReadAt,
@@ -135,7 +137,7 @@ def apply(given, model):
         acceleration=given.acceleration,
     )
     if given.air > 0.0:
-        path, pieces = core.hurry_in_air(path, model.grid, given.air)
+        path, pieces = core.hurry_in_air(path, model.grid, given.air, given.flat)
         source = source[pieces]
     if given.keep_plunges and given.feed:
         path = slow_plunges(path, planned, source)
@@ -203,6 +205,18 @@ def _tool(operation, posture):
             "only a ball end mill can be tilted: choose one, or set Controls to Feed.",
         )
     return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, max(1, int(controller.Tool.Flutes)))
+
+
+def _is_flat(operation, air):
+    """Whether the tool is a cylinder; for air cuts its shape must be known."""
+    kind = host.tool_kind(operation.ToolController.Tool)
+    if air > 0.0 and kind not in ("ballend", "endmill"):
+        raise InputError(
+            "FeedInAir",
+            "%g mm/min" % (60.0 * air),
+            "what a tool of kind '%s' leaves is not known: give 0." % (kind or "unknown"),
+        )
+    return kind == "endmill"
 
 
 def _spindle(operation):

@@ -11,6 +11,7 @@ import weakref
 from dataclasses import dataclass
 
 import _patchmill as core
+import numpy as np
 from _patchmill import InputError
 
 MIB = 1024.0 * 1024.0
@@ -31,14 +32,17 @@ class ModelInput:
     exterior: str = "Held"
     tilt_limit: float = 70.0
 
-    def key(self):
-        """Says whether a saved model is of the same input."""
+    def key(self, stock, part):
+        """Says whether a saved model is of the same input. The shapes count by their triangles to 1e-6 mm,
+        since a reopened document does not give back the same BREP texts."""
         digest = hashlib.sha256()
-        for value in (self.stock, self.part, self.pitch, self.deflection, self.posture):
-            digest.update(repr(value).encode())
+        for solid in (stock, part):
+            digest.update((np.round(solid.vertices, 6) + 0.0).tobytes())
+            digest.update(solid.triangles.tobytes())
+        digest.update(repr((self.pitch, self.posture)).encode())
         if self.posture:
             digest.update(repr((self.form, self.exterior, self.tilt_limit)).encode())
-        return "1 " + digest.hexdigest()
+        return "patchmill 1 " + digest.hexdigest()
 
 
 class RemovalModel:
@@ -57,11 +61,11 @@ def make(given, file="", progress=None):
     """The RemovalModel of a ModelInput: one that is in use, the one in `file`, or a new one, which is then
     written to `file` (if that is not ''). Raises InputError naming Stock, Model, VoxelSize or MemoryLimit."""
     _check(given)
-    key = given.key()
-    if key in _in_use:
-        return _in_use[key]
     part = _solid(given.part, given.deflection, "Model")
     stock = _solid(given.stock, given.deflection, "Stock")
+    key = given.key(stock, part)
+    if key in _in_use:
+        return _in_use[key]
     found = core.load_voxels(file, key) if file else None
     if found is not None:
         model = RemovalModel(given, *found, stock, part, True)

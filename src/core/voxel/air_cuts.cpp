@@ -24,7 +24,8 @@ struct Scan {
 
 }  // namespace
 
-RemainingStock::RemainingStock(const VoxelGrid& grid) : grid_(grid), left_(grid.kind.size(), 0) {
+RemainingStock::RemainingStock(const VoxelGrid& grid, ToolEnd end)
+    : grid_(grid), end_(end), left_(grid.kind.size(), 0) {
   for (std::size_t i = 0; i < left_.size(); ++i)
     if (to_remove(grid.kind[i])) left_[i] = ~std::uint64_t{0};
 }
@@ -44,7 +45,9 @@ bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, double radius) {
   }
   const auto in_tool = [&](const Vec3& p, double r) {
     const Vec3 d = p - centre;
-    const double along = std::max(0.0, d.dot(axis));
+    const double up = d.dot(axis);
+    if (end_ == ToolEnd::Flat && up < -r) return false;
+    const double along = end_ == ToolEnd::Flat ? up : std::max(0.0, up);
     return (d - along * axis).squaredNorm() <= r * r;
   };
   const double half_diagonal = 0.5 * std::sqrt(3.0) * frame.pitch;
@@ -123,7 +126,7 @@ ToolPath hurry_in_air(const ToolPath& path, const VoxelGrid& grid, const AirCutO
   check(path, options);
   const double step = 0.25 * grid.frame.pitch, radius = path.tool.radius;
   const double shortest = options.shortest > 0.0 ? options.shortest : grid.frame.pitch;
-  RemainingStock stock(grid);
+  RemainingStock stock(grid, options.end);
   ToolPath out = path;
   out.moves.clear();
   if (source) source->clear();

@@ -12,10 +12,15 @@
 
 namespace patchmill {
 
+enum class ToolEnd {
+  Ball,
+  Flat  ///< a cylinder that ends at the tip, `radius` below the centre
+};
+
 /// What is left of the material to be removed.
 class RemainingStock {
  public:
-  explicit RemainingStock(const VoxelGrid& grid);
+  explicit RemainingStock(const VoxelGrid& grid, ToolEnd end = ToolEnd::Ball);
 
   /// Takes away what the tool holds: the ball of `radius` [mm] at the centre and the cylinder of that radius
   /// above it. Returns whether anything was there.
@@ -26,6 +31,7 @@ class RemainingStock {
 
  private:
   const VoxelGrid& grid_;
+  ToolEnd end_;
   std::vector<std::uint64_t> left_;  // per stored cell; bit x + 4 y + 16 z
 };
 
@@ -33,6 +39,7 @@ struct AirCutOptions {
   double feed = 0.0;  ///< V_Air [mm/s], > 0
   double shortest =
       0.0;  ///< no stretch of air shorter than this is hurried over [mm]; 0: one voxel
+  ToolEnd end = ToolEnd::Ball;
 };
 
 /// The path with its timed moves divided where cutting and air meet, those in air at V_Air where that is

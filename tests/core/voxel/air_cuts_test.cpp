@@ -60,11 +60,20 @@ TEST(RemainingStock, ALyingToolCutsTheSameSlot) {
   EXPECT_NEAR(before - stock.volume(), slot, 0.01 * slot);
 }
 
+TEST(RemainingStock, AFlatEndCutsASquareSlot) {
+  const VoxelGrid grid = block(1.0);
+  RemainingStock stock(grid, ToolEnd::Flat);
+  const double before = stock.volume();
+  for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 13), Vec3::UnitZ(), kRadius);
+  const double slot = 40 * 2 * kRadius * 10;
+  EXPECT_NEAR(before - stock.volume(), slot, 0.02 * slot);
+}
+
 TEST(HurryInAir, ASecondPassOverTheSamePlaceIsAir) {
   const VoxelGrid grid = block(1.0);
   const ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10), Vec3(-5, 20, 10)}, 10.0);
   std::vector<std::int64_t> source;
-  const ToolPath out = hurry_in_air(path, grid, {50.0, 0.0}, &source);
+  const ToolPath out = hurry_in_air(path, grid, AirCutOptions{50.0, 0.0, ToolEnd::Ball}, &source);
   ASSERT_EQ(source.size(), out.moves.size());
   double first = 0.0, second = 0.0;
   for (std::size_t i = 0; i < source.size(); ++i)
@@ -78,7 +87,7 @@ TEST(HurryInAir, ASecondPassOverTheSamePlaceIsAir) {
 TEST(HurryInAir, NeverSlowsAndNeverTouchesWhatCuts) {
   const VoxelGrid grid = block(2.0);
   const ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10)}, 80.0);
-  const ToolPath out = hurry_in_air(path, grid, {50.0, 0.0});
+  const ToolPath out = hurry_in_air(path, grid, AirCutOptions{50.0, 0.0, ToolEnd::Ball});
   double sum = 0.0;
   for (const Move& m : out.moves) sum += duration(m, out.spindle);
   EXPECT_NEAR(sum, 50.0 / 80.0, 1e-9);
@@ -87,9 +96,9 @@ TEST(HurryInAir, NeverSlowsAndNeverTouchesWhatCuts) {
 TEST(HurryInAir, RefusesATextureAndABadFeed) {
   const VoxelGrid grid = block(2.0);
   ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10)}, 10.0);
-  EXPECT_THROW(hurry_in_air(path, grid, {0.0, 0.0}), InputError);
+  EXPECT_THROW(hurry_in_air(path, grid, AirCutOptions{0.0, 0.0, ToolEnd::Ball}), InputError);
   path.moves[0].dimple = 3;
-  EXPECT_THROW(hurry_in_air(path, grid, {50.0, 0.0}), InputError);
+  EXPECT_THROW(hurry_in_air(path, grid, AirCutOptions{50.0, 0.0, ToolEnd::Ball}), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,209 @@
+"""CopyMilling: a ball end mill led by a virtual probe over the model, in scanning or contour lines, layer by
+layer from the stock (Kobayashi & Shirase 2014, section 2; docs/copy-milling.md).
+
+    op = patchmill.CopyMilling.Create("CopyMilling", parentJob=job)    # a job with a ball end mill
+    op.Mode, op.RadialDepth, op.AxialDepth = "Scanning", 2.0, 2.0
+    op.Base = [(job.Model.Group[0], ["Face1"])]                         # none: the whole model
+    patchmill.CopyMilling.recompute(op)                                 # raises patchmill.InputError
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import math
+
+import _patchmill as core
+from _patchmill import InputError
+
+from patchmill import host, removal_model
+from patchmill.texture_operation import create
+from patchmill.translate import QT_TRANSLATE_NOOP
+
+MODES = ["Scanning", "Contour", "Scanning with undercuts"]
+PASSES = ["Roughing and finishing", "Roughing", "Finishing"]
+# type, name, group, tip, default; a list as default is an enumeration, its first value the default
+PROPERTIES = [
+    ("App::PropertyEnumeration", "Mode", "Copy", "Lines in planes along X, or contours at levels", MODES),
+    ("App::PropertyEnumeration", "Passes", "Copy", "Layers from the stock, the last pass, or both", PASSES),
+    ("App::PropertyLength", "RadialDepth", "Copy", "Distance between lines", 2.0),
+    ("App::PropertyLength", "AxialDepth", "Copy", "Distance between layers", 2.0),
+    ("App::PropertyLength", "FinishingRadialDepth", "Copy", "The last pass's; 0: as the others'", 0.0),
+    ("App::PropertyLength", "Allowance", "Copy", "Left by roughing for the last pass", 0.0),
+    ("App::PropertyLength", "Tolerance", "Copy", "Of the path from the model", 0.01),
+]
+RESULTS = [
+    ("App::PropertyInteger", "Moves", "Result", "Of the path"),
+    ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves but rapids, in seconds"),
+    ("App::PropertyFloat", "Scallop", "Result", "Ridge between lines on a flat, in mm"),
+]
+
+
+class ObjectCopyMilling(host.PathOp.ObjectOp):
+    """An operation's proxy. `path` is the _patchmill.ToolPath of the last good execute, `error` the
+    InputError of the last one, else None. Neither is saved."""
+
+    path = error = None
+
+    def opFeatures(self, obj):
+        op = host.PathOp
+        return op.FeatureTool | op.FeatureHeights | op.FeatureBaseFaces | op.FeatureCoolant
+
+    def initOperation(self, obj):
+        self._add_properties(obj)
+
+    def opOnDocumentRestored(self, obj):
+        self._add_properties(obj)
+
+    def opSetDefaultValues(self, obj, job):
+        for _, name, _, _, default in PROPERTIES:
+            setattr(obj, name, default[0] if isinstance(default, list) else default)
+
+    def _add_properties(self, obj):
+        for kind, name, group, tip, default in PROPERTIES:
+            if not hasattr(obj, name):
+                obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
+                setattr(obj, name, default)
+        for kind, name, group, tip in RESULTS:
+            if not hasattr(obj, name):
+                obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
+            obj.setEditorMode(name, 1)
+
+    def execute(self, obj):
+        """As ObjectOp.execute, but an operation that fails leaves no old path to be posted."""
+        self.path = self.error = None
+        obj.Path = host.Path.Path()
+        return super().execute(obj)
+
+    def opExecute(self, obj):
+        try:
+            self.path, feed = mill(obj)
+        except InputError as error:
+            self.error = error
+            raise
+        text = core.freecad_text(self.path, feed, 4)
+        self.commandlist.extend(host.Path.Path(text).Commands)
+        statistics = self.path.statistics()
+        obj.Moves = len(self.path)
+        obj.MachiningTime = statistics["timed_seconds"]
+        obj.Scallop = core.scallop_height(self.path.tool.radius, _last_radial(obj))
+
+
+def mill(obj):
+    """(ToolPath, feed [mm/s]) of a CopyMilling object. Raises InputError naming the property."""
+    feed, tool, spindle = _cutting(obj.ToolController)
+    _check(obj, tool)
+    stock, part = job_solids(obj)
+    low, high = stock.bounds
+    floor = part.bounds[0][2]
+    low[2] = max(low[2], floor)  # the stock below the part is not for this operation
+
+    def path(radial, axial, allowance):
+        clearance = max(0.1, obj.SafeHeight.Value - high[2])
+        depths = (radial, axial, obj.Tolerance.Value, allowance)
+        options = core.CopyOptions(obj.Mode, tool, spindle, feed, *depths, low, high, clearance)
+        return core.copy_mill(part, options)
+
+    made = []
+    if obj.Passes != "Finishing":
+        allowance = obj.Allowance.Value if obj.Passes == "Roughing and finishing" else 0.0
+        made.append(path(obj.RadialDepth.Value, obj.AxialDepth.Value, allowance + _roughing_only(obj)))
+    if obj.Passes == "Finishing" or (obj.Passes != "Roughing" and _needs_finishing(obj)):
+        # one layer from the top to the bottom of the stock; contours keep their levels
+        axial = obj.AxialDepth.Value if obj.Mode == "Contour" else 2.0 * (high[2] - low[2]) + 1.0
+        made.append(path(_last_radial(obj), axial, 0.0))
+    return core.joined(made), feed
+
+
+def _roughing_only(obj):
+    return obj.Allowance.Value if obj.Passes == "Roughing" else 0.0
+
+
+def _needs_finishing(obj):
+    """The layers themselves leave the surface finished, unless an allowance or a finer distance is asked for."""
+    return obj.Allowance.Value > 0.0 or _last_radial(obj) != obj.RadialDepth.Value
+
+
+def _last_radial(obj):
+    own = obj.FinishingRadialDepth.Value
+    return own if own > 0.0 and obj.Passes != "Roughing" else obj.RadialDepth.Value
+
+
+def job_solids(obj):
+    """(stock, part) of the operation as _patchmill.Solid: the part is the faces chosen, or the model."""
+    job = host.PathUtils.findParentJob(obj)
+    if job is None:
+        raise InputError("Job", obj.Label, "the operation belongs to no job.")
+    stock, model = removal_model.job_shapes(job)
+    deflection = 0.25 * obj.Tolerance.Value
+    stock = core.solid_of_brep(stock, max(deflection, 0.01), "Stock")
+    undercut = obj.Mode == "Scanning with undercuts"
+    faces = [base.Shape.getElement(n) for base, names in obj.Base for n in names if n]
+    if not faces:
+        part = core.solid_of_brep(model, deflection, "Model", undercut)
+    elif undercut:
+        raise InputError("Base", "%d faces" % len(faces), "with undercuts choose none: the whole model.")
+    else:
+        import Part
+
+        text = Part.makeCompound(faces).exportBrepToString()
+        part = core.solid_of_brep(text, deflection, "Base", False)
+    _check_inside(stock.bounds, part.bounds)
+    return stock, part
+
+
+def _check_inside(stock, part):
+    over = max(max(stock[0][k] - part[0][k], part[1][k] - stock[1][k]) for k in range(3))
+    if over > 0.01:
+        raise InputError(
+            "Model", "%.3f mm outside the stock" % over, "move the part into the stock or enlarge it."
+        )
+
+
+def _cutting(controller):
+    kind = host.tool_kind(controller.Tool)
+    if kind != "ballend":
+        raise InputError(
+            "ToolController",
+            "%s (%s)" % (controller.Label, kind or "unknown kind"),
+            "copy milling takes a ball end mill: choose one.",
+        )
+    feed, speed = controller.HorizFeed.Value, controller.SpindleSpeed
+    for name, value in (("HorizFeed", feed), ("SpindleSpeed", speed)):
+        if not (math.isfinite(value) and value > 0.0):
+            raise InputError(name, value, "give more than zero.")
+    tool = core.BallEndMill(float(controller.Tool.Diameter) / 2.0, max(1, int(controller.Tool.Flutes)))
+    return feed, tool, core.Spindle(speed / 60.0, "M4" if controller.SpindleDir == "Reverse" else "M3")
+
+
+def _check(obj, tool):
+    for name in ("RadialDepth", "AxialDepth"):
+        value = getattr(obj, name).Value
+        if not value > 0.0:
+            raise InputError(name, "%g mm" % value, "give more than zero.")
+    if not 1e-4 <= obj.Tolerance.Value <= tool.radius:
+        raise InputError(
+            "Tolerance", "%g mm" % obj.Tolerance.Value, "give 0.0001 to %g mm." % tool.radius
+        )
+
+
+def SetupProperties():
+    """Names of the properties that a job's setup sheet may hold defaults for."""
+    return [name for _, name, _, _, _ in PROPERTIES]
+
+
+def Create(name, obj=None, parentJob=None):
+    """A new CopyMilling in the active document; `parentJob` is the Job it goes into."""
+    return create(ObjectCopyMilling, name, obj, parentJob)
+
+
+def recompute(obj):
+    """Recomputes one operation and returns its ToolPath. Raises InputError if there is none."""
+    obj.touch()
+    obj.Document.recompute()
+    if obj.Proxy.error is not None:
+        raise obj.Proxy.error
+    if obj.Proxy.path is None:
+        raise InputError(obj.Label, "not computed", "FreeCAD refused it: check its job and tool.")
+    return obj.Proxy.path
+
+
+host.register_operation("CopyMilling", Create, SetupProperties)
