@@ -140,7 +140,7 @@ def job_solids(obj):
     if not faces:
         part = core.solid_of_brep(model, deflection, "Model", undercut)
     elif undercut:
-        raise InputError("Base", "%d faces" % len(faces), "with undercuts choose none: the whole model.")
+        raise InputError("Base", "%d faces" % len(faces), "with undercuts choose the whole model.")
     else:
         import Part
 
