@@ -118,7 +118,7 @@ def _roughing_only(obj):
 
 
 def _needs_finishing(obj):
-    """The layers themselves leave the surface finished, unless an allowance or a finer distance is asked for."""
+    """The layers themselves finish the surface, unless an allowance or finer lines are asked for."""
     return obj.Allowance.Value > 0.0 or _last_radial(obj) != obj.RadialDepth.Value
 
 
