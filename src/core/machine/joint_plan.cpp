@@ -235,8 +235,8 @@ JointPlan plan_joints(const Kinematics& machine, const ToolPath& path, double po
   return plan_joints(machine, targets, pole_tolerance);
 }
 
-AxisLoad axis_load(const Kinematics& machine, const ToolPath& path,
-                   const std::vector<Joints>& joints) {
+AxisLoad axis_load(const Kinematics& machine, const PosturePath& posture) {
+  const auto& [path, joints] = posture;
   AxisLoad load;
   load.rate = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < path.moves.size(); ++i) {

@@ -38,6 +38,12 @@ JointPlan plan_joints(const Kinematics& machine, const std::vector<AxisTarget>& 
 JointPlan plan_joints(const Kinematics& machine, const ToolPath& path,
                       double pole_tolerance = 1e-9);
 
+/// A path with its angles: joints[0] stands at the start, joints[i + 1] at the end of move i.
+struct PosturePath {
+  ToolPath path;
+  std::vector<Joints> joints;
+};
+
 /// What a path asks of the axes, as shares of their limits: 1 is just possible.
 struct AxisLoad {
   double rate = 0.0;          ///< greatest |dq| / (T rate) over timed moves; NaN if none is timed
@@ -47,8 +53,6 @@ struct AxisLoad {
   std::size_t overtravel_move = 0;
   char overtravel_axis = ' ';
 };
-/// `joints` as from plan_joints(machine, path): start first.
-AxisLoad axis_load(const Kinematics& machine, const ToolPath& path,
-                   const std::vector<Joints>& joints);
+AxisLoad axis_load(const Kinematics& machine, const PosturePath& posture);
 
 }  // namespace patchmill

@@ -16,8 +16,9 @@ constexpr double kPitchUnit = 1e-6;  // of the K word, mm per turn; FreeCAD save
 class Writer {
  public:
   Writer(const ToolPath& path, const MotionModel& model, const Decimals& decimals, FeedWord feed,
-         double feed_unit)
+         double feed_unit, const RotaryWords& rotary)
       : path_(path),
+        rotary_(rotary),
         decimals_(decimals),
         feed_(feed),
         feed_unit_(feed_unit),
@@ -28,7 +29,7 @@ class Writer {
     line("G21 G90 G17 G40 G94");
     line(fmt::format("S{:.3f} {}", path_.spindle.speed * 60.0,
                      path_.spindle.sense == SpindleSense::M3 ? "M3" : "M4"));
-    line("G0 " + words(path_.start.tip));
+    line("G0 " + words(path_.start.tip) + rotary_words(0));
     moves();
     if (inverse_) line("G94");
     line("M5");
@@ -37,8 +38,9 @@ class Writer {
   }
 
   Rs274Text write_moves() {
-    line("G0 " + words(path_.start.tip));
+    line("G0 " + words(path_.start.tip) + rotary_words(0));
     moves();
+    if (inverse_) line("G94");
     return std::move(result_);
   }
 
@@ -49,7 +51,8 @@ class Writer {
       const Move& move = path_.moves[i];
       const double length = (move.end.tip - from).norm();
       from = move.end.tip;
-      if (length > 0.0) one_move(i, length);
+      turning_ = !rotary_.letters.empty() && rotary_.joints[i + 1] != rotary_.joints[i];
+      if (length > 0.0 || turning_) one_move(i, length);
       result_.lines.push_back(count_);
     }
   }
@@ -60,6 +63,17 @@ class Writer {
   std::string words(const Vec3& p) const {
     const int n = decimals_.count();
     return fmt::format("X{:.{}f} Y{:.{}f} Z{:.{}f}", p.x(), n, p.y(), n, p.z(), n);
+  }
+  /// The rotary words of pose i, in the order of their letters; the start is pose 0.
+  std::string rotary_words(std::size_t i) const {
+    std::string text;
+    for (const char letter : {'A', 'B', 'C'}) {
+      const std::size_t k = rotary_.letters.find(letter);
+      if (k == std::string::npos) continue;
+      text += fmt::format(" {}{:.{}f}", letter, Angle::radians(rotary_.joints[i][k]).degrees(),
+                          decimals_.count());
+    }
+    return text;
   }
   void tolerance(double value) {
     const std::string word = value > 0.0 ? fmt::format("G64 P{:.6f} Q0", value) : "G61";
@@ -73,23 +87,29 @@ class Writer {
   void one_move(std::size_t i, double length) {
     const Move& move = path_.moves[i];
     if (move.kind == MoveKind::Rapid) {
-      line("G0 " + words(move.end.tip));
+      line("G0 " + words(move.end.tip) + rotary_words(i + 1));
       return;
     }
     if (!(move.turns > 0.0))
       throw InputError("Turns", fmt::format("{} in move {}", move.turns, i),
                        "a timed move needs more than no turns.");
     tolerance(tolerances_[i]);
+    const std::string place = words(move.end.tip) + rotary_words(i + 1);
     if (move.pace == Pace::SpindleLocked) {
+      if (!(length > 0.0))
+        throw InputError(
+            "ToolAxis", fmt::format("move {}", i),
+            "a spindle-locked move needs a way of the programmed point: rotary axes alone "
+            "cannot be locked.");
       inverse(false);
-      line(fmt::format("G33 {} K{:.6f}", words(move.end.tip), posted_pitch(i, length)));
+      line(fmt::format("G33 {} K{:.6f}", place, posted_pitch(i, length)));
       return;
     }
     const double minutes = duration(move, path_.spindle) / 60.0;
-    inverse(feed_ == FeedWord::InverseTime);
-    line(fmt::format(
-        "G1 {} F{:.6f}", words(move.end.tip),
-        feed_ == FeedWord::InverseTime ? 1.0 / minutes : length / minutes / feed_unit_));
+    // F of a rotary move means little: its time is given instead
+    const bool timed = feed_ == FeedWord::InverseTime || turning_;
+    inverse(timed);
+    line(fmt::format("G1 {} F{:.6f}", place, (timed ? 1.0 : length) / minutes / feed_unit_));
   }
   /// K on its decimals; the turns that rounding adds or takes are owed to the next move.
   double posted_pitch(std::size_t i, double length) {
@@ -100,12 +120,13 @@ class Writer {
   }
 
   const ToolPath& path_;
+  const RotaryWords& rotary_;
   const Decimals& decimals_;
   FeedWord feed_;
   double feed_unit_;  // of the F word, mm/min
   std::vector<double> tolerances_, pitches_;
   std::string tolerance_;
-  bool inverse_ = false;
+  bool inverse_ = false, turning_ = false;
   double owed_ = 0.0;
   long count_ = 0;
   Rs274Text result_;
@@ -114,13 +135,13 @@ class Writer {
 }  // namespace
 
 Rs274Text rs274_text(const ToolPath& path, const MotionModel& model, const Decimals& decimals,
-                     FeedWord feed) {
-  return Writer(path, model, decimals, feed, 1.0).write();
+                     FeedWord feed, const RotaryWords& rotary) {
+  return Writer(path, model, decimals, feed, 1.0, rotary).write();
 }
 
 std::string freecad_paced_text(const ToolPath& path, const MotionModel& model,
-                               const Decimals& decimals) {
-  return Writer(path, model, decimals, FeedWord::PerMinute, 60.0).write_moves().text;
+                               const Decimals& decimals, FeedWord feed, const RotaryWords& rotary) {
+  return Writer(path, model, decimals, feed, 60.0, rotary).write_moves().text;
 }
 
 }  // namespace patchmill

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/machine/corner_blend.h"
+#include "core/machine/kinematics.h"
 #include "core/sync/rounding.h"
 
 #include <string>
@@ -18,20 +19,30 @@ enum class FeedWord : std::uint8_t {
   InverseTime  ///< G93
 };
 
+/// Angles to be written beside a path's points: joints[0] at its start, joints[i + 1] at the end of move
+/// i. The path is one of programmed points (programmed_path.h). No letters: no rotary words.
+struct RotaryWords {
+  std::string letters;         ///< of the rotary axes in chain order
+  std::vector<Joints> joints;  ///< [rad], on the decimals in degrees
+};
+
 struct Rs274Text {
   std::string text;
   std::vector<long> lines;  ///< line (from 1) of each move; a move of no length has the one before
 };
 
 /// The program, from "G21" to "M2". Coordinates are rounded to `decimals` (a path that is on them
-/// keeps its lengths); K, with 6 decimals, carries its rounding on from move to move. Errors: as
-/// locked_pitches; InputError naming Turns if a feed-paced move has none.
+/// keeps its lengths); K, with 6 decimals, carries its rounding on from move to move. A feed-paced move
+/// on which a rotary axis turns is written in inverse time. Errors: as locked_pitches; InputError naming
+/// Turns if a feed-paced move has none, ToolAxis if only rotary axes move in a locked one.
 Rs274Text rs274_text(const ToolPath& path, const MotionModel& model, const Decimals& decimals,
-                     FeedWord feed = FeedWord::PerMinute);
+                     FeedWord feed = FeedWord::PerMinute, const RotaryWords& rotary = {});
 
-/// A rapid to the start and the moves, with their G61, G64 and G33 words, as text for FreeCAD's Path.Path(text), whose F is
-/// mm/s. Errors: as rs274_text.
+/// A rapid to the start and the moves, with their G61, G64 and G33 words, as text for FreeCAD's
+/// Path.Path(text), whose F is mm/s (in inverse time 1/s, for posts multiply every F by 60). Errors: as
+/// rs274_text.
 std::string freecad_paced_text(const ToolPath& path, const MotionModel& model,
-                               const Decimals& decimals);
+                               const Decimals& decimals, FeedWord feed = FeedWord::PerMinute,
+                               const RotaryWords& rotary = {});
 
 }  // namespace patchmill

@@ -60,7 +60,8 @@ struct Planned {
   std::int32_t number, patch;
 };
 
-std::vector<Planned> plan(const Dimples& dimples, double radius, const Decimals& decimals) {
+std::vector<Planned> plan(const Dimples& dimples, double radius, const PhaseRule& rule,
+                          const Decimals& decimals) {
   std::vector<Planned> planned;
   planned.reserve(dimples.size());
   for (std::size_t k = 0; k < dimples.size(); ++k) {
@@ -69,8 +70,8 @@ std::vector<Planned> plan(const Dimples& dimples, double radius, const Decimals&
     const Vec3& n = dimple.surface.normal;
     const Vec3 centre = dimple.surface.position + (radius - dimple.depth) * n;
     const Vec3 tip = centre - radius * Vec3::UnitZ();
-    planned.push_back(
-        {decimals.round(tip), n, contact_azimuth(n), static_cast<std::int32_t>(k), dimple.patch});
+    planned.push_back({decimals.round(tip), n, contact_azimuth(dimples, k, rule),
+                       static_cast<std::int32_t>(k), dimple.patch});
   }
   if (planned.empty())
     throw InputError("Dimples", "0",
@@ -134,7 +135,7 @@ Vec3 apex(const Vec3& a, const Vec3& b, const Vec3& up, double length) {
 ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
                             const ConstantFeed& rule, const Decimals& decimals) {
   require_valid(rule, tool, spindle);
-  const std::vector<Planned> planned = plan(dimples, tool.radius, decimals);
+  const std::vector<Planned> planned = plan(dimples, tool.radius, rule.phase, decimals);
   const double feed = posted_feed(rule.feed, decimals);
   require_positive("Feed", feed * 60.0, "mm/min after rounding");
   const double turns_per_mm = spindle.speed / feed;

@@ -33,14 +33,17 @@ struct Step {
   double pitch() const { return length / turns; }
 };
 
-void require_valid(const PacedRule& rule, const BallEndMill& tool, const Spindle& spindle,
-                   const MotionModel& model) {
+void require_valid(const PacedRule& rule, std::size_t dimples, const BallEndMill& tool,
+                   const Spindle& spindle, const MotionModel& model) {
   require_valid(model);
   require_valid(rule.phase, tool.flutes);
   require_positive("SpindleSpeed", spindle.speed * 60.0, "rpm");
   require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
   require_positive("Lift", rule.lift, "mm");
   require_in_range("ExtraTurns", rule.phase.extra_turns, 0.0, 0.0, "turns on a paced path");
+  if (!rule.turning.empty() && rule.turning.size() != dimples)
+    throw InputError("ToolAxis", fmt::format("{} postures", rule.turning.size()),
+                     fmt::format("plan one for each of the {} dimples.", dimples));
   if (rule.phase.flutes == FluteChoice::Same && tool.flutes > 1)
     throw InputError("Flutes", "same",
                      "on a paced path every flute comes by in turn: allow any flute, or use the "
@@ -54,15 +57,16 @@ void require_valid(const PacedRule& rule, const BallEndMill& tool, const Spindle
                      fmt::format("give at least the safe height, {} mm.", rule.safe_height));
 }
 
-std::vector<Planned> plan(const Dimples& dimples, double radius, const Decimals& decimals) {
+std::vector<Planned> plan(const Dimples& dimples, double radius, const PhaseRule& rule,
+                          const Decimals& decimals) {
   std::vector<Planned> planned;
   for (std::size_t k = 0; k < dimples.size(); ++k) {
     if (dimples[k].state != DimpleState::Cut) continue;
     const Vec3& n = dimples[k].surface.normal;
     const Vec3 centre = dimples[k].surface.position + (radius - dimples[k].depth) * n;
     const Vec3 tip = centre - radius * Vec3::UnitZ();
-    planned.push_back({decimals.round(tip), n, contact_azimuth(n), static_cast<std::int32_t>(k),
-                       dimples[k].patch});
+    planned.push_back({decimals.round(tip), n, contact_azimuth(dimples, k, rule),
+                       static_cast<std::int32_t>(k), dimples[k].patch});
   }
   if (planned.size() < 2)
     throw InputError("Dimples", fmt::format("{}", planned.size()),
@@ -140,6 +144,11 @@ class Builder {
       if (same_patch(i)) sum += steps_[i].length, ++count;
     return count ? sum / count : steps_[0].length;
   }
+  /// Of the rotary axes in step i [s].
+  double turning(std::size_t i) const {
+    return rule_.turning.empty() ? 0.0
+                                 : rule_.turning[static_cast<std::size_t>(planned_[i + 1].number)];
+  }
   bool same_patch(std::size_t i) const { return planned_[i].patch == planned_[i + 1].patch; }
   double angle(const Vec3& a, const Vec3& b) const {
     return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -151,7 +160,7 @@ class Builder {
            tolerance_for_speed(angle(a, b), v, model_.acceleration) <= kCoarsestRow;
   }
   bool in_row(std::size_t i, const Vec3& direction) const {
-    if (!same_patch(i)) return false;
+    if (!same_patch(i) || turning(i) > 0.0) return false;
     if (!rule_.turnarounds) return true;
     return steps_[i].length < kLongestStep * shortest_ && smooth(direction, steps_[i].direction);
   }
@@ -206,10 +215,11 @@ class Builder {
                               : rule_.safe_height;
     double turns = steps_[i].turns;
     // how many teeth it takes: from the slack without any
-    const double short_of = -turnaround(from, to, turns, shape_, detour, spindle_, model_).slack;
+    const double short_of =
+        -turnaround(from, to, turns, shape_, detour, spindle_, model_, turning(i)).slack;
     turns += period_ * std::max(0.0, std::ceil((short_of - late_) * spindle_.speed / period_));
     const std::size_t first = result_.path.moves.size();
-    push(turnaround(from, to, turns, shape_, detour, spindle_, model_).moves,
+    push(turnaround(from, to, turns, shape_, detour, spindle_, model_, turning(i)).moves,
          planned_[i + 1].number);
     spans_.push_back({first, first + 2, result_.path.moves.size()});
     ++result_.turnarounds;
@@ -278,8 +288,8 @@ class Builder {
 
 PacedPath paced_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
                      const PacedRule& rule, const MotionModel& model, const Decimals& decimals) {
-  require_valid(rule, tool, spindle, model);
-  const std::vector<Planned> planned = plan(dimples, tool.radius, decimals);
+  require_valid(rule, dimples.size(), tool, spindle, model);
+  const std::vector<Planned> planned = plan(dimples, tool.radius, rule.phase, decimals);
   const std::vector<Step> steps = steps_between(planned, rule, tool, spindle);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const double limit = velocity_along(model, steps[i].direction);

@@ -23,6 +23,10 @@ struct PacedRule {
   double seed = 2.0;   ///< way in the air before the first dimple that takes up the lock [mm]
   double safe_height = 0.0;       ///< detours and links travel at or above this Z of the tip [mm]
   double clearance_height = 0.0;  ///< rapids before the first and after the last dimple [mm]
+  /// By dimple number: what the rotary axes need to get to its posture from that of the dimple before,
+  /// from rest to rest [s]; 0: they stand. A row ends where they turn: a controller that rounds corners
+  /// of three axes stops at those of five. Empty: no rotary axes.
+  std::vector<double> turning = {};
 };
 
 struct PacedPath {

@@ -28,6 +28,14 @@ void require_valid(const PhaseRule& rule, int flutes) {
   require_in_range("PhaseStep", rule.step.degrees(), 0.0, 360.0, "degrees");
 }
 
+Angle contact_azimuth(const Dimples& dimples, std::size_t k, const PhaseRule& rule) {
+  if (rule.azimuths.empty()) return contact_azimuth(dimples[k].surface.normal);
+  if (rule.azimuths.size() != dimples.size() || std::isnan(rule.azimuths[k].radians()))
+    throw InputError("ToolAxis", fmt::format("no posture for dimple {}", k),
+                     "plan the postures of these dimples.");
+  return rule.azimuths[k];
+}
+
 Angle spindle_advance(Angle from, Angle to, const PhaseRule& rule, const BallEndMill& tool,
                       const Spindle& spindle) {
   const Angle period = phase_period(tool.flutes, rule.flutes);
@@ -43,7 +51,7 @@ std::vector<Angle> wanted_phases(const Dimples& dimples, const PhaseRule& rule,
   Angle shift;
   for (std::size_t k = 0; k < dimples.size(); ++k) {
     if (dimples[k].state != DimpleState::Cut) continue;
-    wanted[k] = contact_azimuth(dimples[k].surface.normal) + shift;
+    wanted[k] = contact_azimuth(dimples, k, rule) + shift;
     shift += spindle.sign() * rule.step;
   }
   return wanted;

@@ -28,10 +28,17 @@ struct PhaseRule {
   FluteChoice flutes = FluteChoice::Any;
   double extra_turns = 0.0;  ///< whole multiple of the period, >= 0 [turns]
   Angle step;                ///< added per dimple; >= 0
+  /// Contact azimuth of each dimple by its number, as postures give it (postures.h); empty: a fixed
+  /// vertical tool.
+  std::vector<Angle> azimuths = {};
 };
 
 /// Errors: InputError naming ExtraTurns or PhaseStep.
 void require_valid(const PhaseRule& rule, int flutes);
+
+/// Contact azimuth of dimple k, which is Cut. Errors: InputError naming ToolAxis if the rule's
+/// azimuths are of other dimples.
+Angle contact_azimuth(const Dimples& dimples, std::size_t k, const PhaseRule& rule);
 
 /// Lambda from contact azimuth `from` to `to`; >= 0. A difference that is a whole period but for
 /// rounding (1e-9 rad) counts as none.
@@ -40,7 +47,7 @@ Angle spindle_advance(Angle from, Angle to, const PhaseRule& rule, const BallEnd
 
 /// The spindle angle, modulo the phase period, that each dimple wants, indexed by dimple number:
 /// its contact azimuth plus s * step for each Cut dimple before it. NaN radians where a dimple is
-/// left out. Fixed vertical tool.
+/// left out.
 std::vector<Angle> wanted_phases(const Dimples& dimples, const PhaseRule& rule,
                                  const Spindle& spindle);
 

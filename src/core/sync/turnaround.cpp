@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace patchmill {
@@ -101,7 +102,7 @@ double recoverable(const TurnaroundShape& shape, double speed, double accelerati
 
 Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
                       const TurnaroundShape& shape, double safe_height, const Spindle& spindle,
-                      const MotionModel& model) {
+                      const MotionModel& model, double turning) {
   const double slant = std::hypot(1.0, shape.slope), rate = spindle.speed;
   const Vec3 edge = surface_after(from, shape.flat), top = lifted_end(from, shape);
   const RunIn in = run_in(to, shape.run_in, shape);
@@ -123,11 +124,11 @@ Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
 
   const double ease = stops.size() > 2 ? kLinkEase : 1.0;
   std::vector<double> needed;
-  double needed_sum = 0.0;
-  for (std::size_t i = 1; i < stops.size(); ++i) {
+  for (std::size_t i = 1; i < stops.size(); ++i)
     needed.push_back(rate * ease * leg_time(stops[i - 1], stops[i], model));
-    needed_sum += needed.back();
-  }
+  double& longest = *std::max_element(needed.begin(), needed.end());
+  longest = std::max(longest, rate * turning);
+  const double needed_sum = std::accumulate(needed.begin(), needed.end(), 0.0);
   Turnaround result;
   result.slack = (between - needed_sum) / rate - from.pitch * rate / (2.0 * a) - dead;
   // the last leg is left v / 2a late as well, v its own speed: the run-in waits for it
@@ -146,6 +147,15 @@ Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
   result.moves.push_back(moved(in.surface, ramp_in, shape.tolerance));
   result.moves.push_back(moved(to.tip, flat_in, 0.0));
   return result;
+}
+
+std::size_t turning_leg(const ToolPath& path, std::size_t first, std::size_t last) {
+  std::size_t best = last;
+  for (std::size_t i = first + 1; i < last; ++i)
+    if (path.moves[i - 1].tolerance == 0.0 && path.moves[i].tolerance == 0.0 &&
+        (best == last || path.moves[i].turns > path.moves[best].turns))
+      best = i;
+  return best;
 }
 
 Vec3 lead_in_start(const RowEnd& to, double seed, const TurnaroundShape& shape) {

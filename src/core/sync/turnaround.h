@@ -55,9 +55,15 @@ struct Turnaround {
 
 /// The moves from `from` to `to` in `turns` turns; `safe_height`: Z of a detour if they are in
 /// different patches or too far apart for the lift to clear the surface between them, else NaN.
+/// `turning`: what rotary axes need on the way, from rest to rest [s]; the longest leg between two stops
+/// takes as long at least, and they turn on that one (turning_leg).
 Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
                       const TurnaroundShape& shape, double safe_height, const Spindle& spindle,
-                      const MotionModel& model);
+                      const MotionModel& model, double turning = 0.0);
+
+/// Of the moves [first, last) of a path the one on which rotary axes turn while the spindle is locked:
+/// the longest in turns of those that begin and end with a stop; `last` if there is none.
+std::size_t turning_leg(const ToolPath& path, std::size_t first, std::size_t last);
 
 /// Way in before the first dimple, down the ramp's line at the row's own pitch, and way out after
 /// the last one. `seed`: length of the straight that takes up the lock [mm].

@@ -18,6 +18,8 @@ import tempfile
 
 import numpy
 
+from . import table
+
 HERE = pathlib.Path(__file__).resolve().parent
 NOBODY = 65534
 
@@ -32,12 +34,19 @@ class TooFast(ControllerError):
 
 @dataclasses.dataclass
 class Machine:
-    """A three-axis mill. Limits hold for each linear axis."""
+    """A mill. Limits hold for each linear axis, and for each rotary one if it has them."""
     acceleration: float = 2000.0  # mm/s²
     velocity: float = 100.0       # mm/s
     period: float = 1e-3          # servo period, s
     speed_ratio: float = 1.0      # true spindle speed / commanded speed
     travel: float = 1000.0        # ± mm
+    kinematics: str = 'xyz'       # or xyzac, xyzbc: tables, which start without TCP
+    rotary_acceleration: float = 20000.0  # degrees/s²
+    rotary_velocity: float = 1000.0       # degrees/s
+
+    @property
+    def letters(self):
+        return self.kinematics.upper()
 
 
 @dataclasses.dataclass
@@ -48,10 +57,12 @@ class Log:
     turns: numpy.ndarray  # spindle revolutions; their fraction is the angle from the index
     line: numpy.ndarray   # program line
     starved: int          # how often the motion queue ran empty
+    joints: numpy.ndarray = None  # (n, 3) linear joints, mm: the tip itself on three axes
+    rotary: numpy.ndarray = None  # (n, 2) rotary joints, degrees; None on three axes
 
     def save(self, path):
-        table = numpy.column_stack([self.time, self.tip, self.turns, self.line])
-        numpy.savetxt(path, table, delimiter=',', comments='', fmt='%.7f',
+        columns = numpy.column_stack([self.time, self.tip, self.turns, self.line])
+        numpy.savetxt(path, columns, delimiter=',', comments='', fmt='%.7f',
                       header='time_s,x_mm,y_mm,z_mm,turns,line')
 
 
@@ -60,7 +71,7 @@ def ini(machine):
     axis = {'MIN_LIMIT': -machine.travel, 'MAX_LIMIT': machine.travel,
             'MAX_VELOCITY': machine.velocity, 'MAX_ACCELERATION': machine.acceleration}
     joint = dict(axis, TYPE='LINEAR', FERROR=1000, MIN_FERROR=1000, HOME_SEARCH_VEL=0,
-                 HOME_LATCH_VEL=0)
+                 HOME_LATCH_VEL=0, HOME_SEQUENCE=0)
     # the limits of the path are above those of any axis, so that the axes decide
     sections = {
         'EMC': {'VERSION': '1.1', 'MACHINE': 'patchmill', 'DEBUG': 0},
@@ -72,19 +83,31 @@ def ini(machine):
         'EMCIO': {'EMCIO': 'io', 'CYCLE_TIME': 0.01, 'TOOL_TABLE': 'machine.tbl'},
         'HAL': {'HALFILE': 'machine.hal'},
         'KINS': {'KINEMATICS': 'trivkins coordinates=XYZ', 'JOINTS': 3},
-        'TRAJ': {'COORDINATES': 'X Y Z', 'LINEAR_UNITS': 'mm', 'ANGULAR_UNITS': 'deg',
+        'SAMPLER': {'CFG': 'ffffsb'},
+        'TRAJ': {'COORDINATES': ' '.join(machine.letters), 'LINEAR_UNITS': 'mm', 'ANGULAR_UNITS': 'deg',
                  'DEFAULT_LINEAR_VELOCITY': machine.velocity,
                  'MAX_LINEAR_VELOCITY': 2 * machine.velocity,
                  'DEFAULT_LINEAR_ACCELERATION': 2 * machine.acceleration,
                  'MAX_LINEAR_ACCELERATION': 2 * machine.acceleration, 'NO_FORCE_HOMING': 1},
         'SPINDLE_0': {'RPM_PER_SECOND': 5000, 'SPEED_RATIO': machine.speed_ratio},
     }
-    for number, letter in enumerate('XYZ'):
-        sections['AXIS_' + letter] = axis
-        sections['JOINT_%d' % number] = joint
+    rotary = {'MIN_LIMIT': -1e5, 'MAX_LIMIT': 1e5, 'MAX_VELOCITY': machine.rotary_velocity,
+              'MAX_ACCELERATION': machine.rotary_acceleration}
+    for number, letter in enumerate(machine.letters):
+        sections['AXIS_' + letter] = axis if letter in 'XYZ' else rotary
+        sections['JOINT_%d' % number] = joint if letter in 'XYZ' else dict(joint, **rotary, TYPE='ANGULAR')
+    extra = {}
+    if machine.kinematics != 'xyz':
+        sections.update(table.sections(machine.kinematics))
+        sections['SAMPLER']['CFG'] += 'ff'
+        sections['TRAJ'].update(MAX_ANGULAR_VELOCITY=2 * machine.rotary_velocity,
+                                DEFAULT_ANGULAR_VELOCITY=machine.rotary_velocity,
+                                MAX_ANGULAR_ACCELERATION=2 * machine.rotary_acceleration)
+        extra = {'HAL': ['HALFILE = rotary.hal'], 'RS274NGC': table.REMAPS}
     lines = []
     for name, entries in sections.items():
         lines += ['[%s]' % name] + ['%s = %s' % entry for entry in entries.items()]
+        lines += extra.get(name, [])
     return '\n'.join(lines) + '\n'
 
 
@@ -93,13 +116,14 @@ def prepare(folder, program, machine):
     (folder / 'machine.ini').write_text(ini(machine), encoding='utf-8')
     (folder / 'machine.tbl').write_text('T1 P1 D2\n', encoding='utf-8')
     (folder / 'machine.var').touch()
-    for name in ('machine.hal', 'driver.py'):
+    table.write_subroutines(folder)
+    for name in ('machine.hal', 'rotary.hal', 'driver.py'):
         shutil.copy(HERE / name, folder / name)
     (folder / 'driver.py').chmod(0o755)
     shutil.copy(program, folder / 'program.ngc')
     subprocess.run(['gcc', '-O2', '-shared', '-fPIC', '-o', folder / 'virtual_clock.so',
                     HERE / 'virtual_clock.c'], check=True)
-    for path in [folder, *folder.iterdir()]:
+    for path in [folder, *folder.rglob('*')]:
         path.chmod(path.stat().st_mode | 0o666 | (0o111 if path.is_dir() else 0))
 
 
@@ -117,7 +141,7 @@ def command_line(folder, rate):
             'linuxcnc', folder / 'machine.ini']
 
 
-def read_samples(path, period):
+def read_samples(path, machine):
     """halsampler's lines -> Log. Whole turns that an index reset took away are put back."""
     rows = []
     with open(path, encoding='ascii') as file:
@@ -125,19 +149,24 @@ def read_samples(path, period):
             if text.startswith('overrun'):
                 raise TooFast('the log has a gap')
             row = text.split()
-            if len(row) == 7:
+            if len(row) == (7 if machine.kinematics == 'xyz' else 9):
                 rows.append(row)
     if len(rows) < 2:
         raise ControllerError('nothing was logged')
-    table = numpy.array(rows, dtype=float)
-    if numpy.any(numpy.diff(table[:, 0]) != 1):
+    samples = numpy.array(rows, dtype=float)
+    if numpy.any(numpy.diff(samples[:, 0]) != 1):
         raise TooFast('the log has a gap')
-    turns = table[:, 4]
+    turns = samples[:, 4]
     lost = numpy.where(numpy.diff(turns) < -0.5, numpy.ceil(-numpy.diff(turns)), 0.0)
     turns = turns + numpy.concatenate([[0.0], numpy.cumsum(lost)])
-    settled = table[:, 6]
+    settled = samples[:, 6]
     starved = int(numpy.sum(numpy.diff(settled) > 0))
-    return Log((table[:, 0] - table[0, 0]) * period, table[:, 1:4], turns, table[:, 5], starved)
+    joints, rotary, tip = samples[:, 1:4], None, samples[:, 1:4]
+    if machine.kinematics != 'xyz':
+        rotary = samples[:, 7:9]
+        tip = table.tip_in_work(machine.kinematics, joints, rotary)
+    time = (samples[:, 0] - samples[0, 0]) * machine.period
+    return Log(time, tip, turns, samples[:, 5], starved, joints, rotary)
 
 
 def end(child):
@@ -174,7 +203,7 @@ def run_once(program, machine, rate, limit):
         if words != 'ok':
             tail = output.read_text(errors='replace')[-1500:]
             raise ControllerError('%s\n%s' % (words, tail))
-        return read_samples(folder / 'samples.txt', machine.period)
+        return read_samples(folder / 'samples.txt', machine)
 
 
 def run(program, machine=None, rate=20.0, limit=120.0, stops=1):

@@ -68,10 +68,29 @@ def run(status, command, channel):
         calm = calm + 1 if idle and begun else 0
 
 
+def home(status, command, channel):
+    """Kinematics other than the identity want homed joints."""
+    order(command, channel, command.mode, linuxcnc.MODE_MANUAL)
+    command.teleop_enable(0)
+    command.wait_complete()
+    for joint in range(status.joints):
+        command.home(joint)
+    deadline = time.monotonic() + START_SECONDS
+    while not all(status.homed[:status.joints]):
+        if time.monotonic() > deadline:
+            leave('error: homing took too long')
+        time.sleep(0.02)
+        status.poll()
+        raise_errors(channel)
+
+
 def main():
     status, command, channel = connect()
     order(command, channel, command.state, linuxcnc.STATE_ESTOP_RESET)
     order(command, channel, command.state, linuxcnc.STATE_ON)
+    status.poll()
+    if status.joints > 3:
+        home(status, command, channel)
     order(command, channel, command.mode, linuxcnc.MODE_AUTO)
     order(command, channel, command.program_open, 'program.ngc')
     recorder = subprocess.Popen(['halsampler', '-t', 'samples.txt'])

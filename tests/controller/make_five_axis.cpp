@@ -1,0 +1,177 @@
+// Prints what the five-axis controller tests run: a program for LinuxCNC's table-rotary-tilting machines,
+// and beside it where the tool tip is at each dimple and the surface's normal there.
+//     make_five_axis MACHINE FORM ACCELERATION VELOCITY OUT [key=value ...]
+// MACHINE: ac | bc. FORM: tcp | pivot. Keys: strategy (locked, feed, constant), lead, towards (x or feed),
+// ball (1: the ball centre is programmed), side, patches, extra. The machine's axes are off its zero by the
+// numbers that the harness gives LinuxCNC. Prints one line of key=value.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bezier.h"
+#include "core/geometry/error.h"
+#include "core/machine/programmed_path.h"
+#include "core/machine/rs274_text.h"
+#include "core/sync/constant_feed.h"
+#include "core/sync/paced_path.h"
+#include "core/sync/postures.h"
+#include "core/sync/tool_axis.h"
+
+#include <fstream>
+#include <iostream>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace patchmill {
+namespace {
+
+const Decimals kDecimals(4);
+const BallEndMill kTool{1.0, 2};
+constexpr double kSpacing = 0.5;
+
+struct Options {
+  std::map<std::string, std::string> words;
+  double number(const std::string& key, double otherwise) const {
+    const auto at = words.find(key);
+    return at == words.end() ? otherwise : std::stod(at->second);
+  }
+  std::string word(const std::string& key, const std::string& otherwise) const {
+    const auto at = words.find(key);
+    return at == words.end() ? otherwise : at->second;
+  }
+};
+
+// xyzac-trt-kins and xyzbc-trt-kins, with the offsets of tests/controller/harness
+Kinematics machine_of(const std::string& name) {
+  const bool ac = name == "ac";
+  RotaryAxis c, tilting;
+  c.letter = 'C';
+  c.point = Vec3(4.0, -3.0, 0.0);
+  tilting.letter = ac ? 'A' : 'B';
+  tilting.direction = ac ? Vec3::UnitX() : Vec3::UnitY();
+  tilting.point = ac ? Vec3(4.0, -3.0 + 5.0, -40.0) : Vec3(4.0 + 5.0, -3.0, -40.0);
+  tilting.lowest = Angle::degrees(-120.0).radians();
+  tilting.highest = Angle::degrees(120.0).radians();
+  for (RotaryAxis* axis : {&c, &tilting}) {
+    axis->rate = Angle::degrees(1000.0).radians();
+    axis->acceleration = Angle::degrees(20000.0).radians();
+  }
+  Kinematics k;
+  k.rotary = {c, tilting};
+  return k;
+}
+
+ToolPath plan(const Options& options, const Dimples& dimples, const std::vector<Angle>& azimuths,
+              const std::vector<double>& turning, const MotionModel& model) {
+  const Spindle spindle{1000.0 / 60.0, SpindleSense::M3};
+  const std::string strategy = options.word("strategy", "locked");
+  if (strategy == "constant") {
+    ConstantFeed rule;
+    rule.feed = 434.413 / 60.0;
+    rule.phase.extra_turns = options.number("extra", 5.0);
+    rule.phase.azimuths = azimuths;
+    rule.safe_height = 30.0;
+    rule.clearance_height = 32.0;
+    return constant_feed_path(dimples, kTool, spindle, rule, kDecimals);
+  }
+  PacedRule rule;
+  rule.pace = strategy == "locked" ? Pace::SpindleLocked : Pace::Feed;
+  rule.phase.azimuths = azimuths;
+  if (rule.pace == Pace::SpindleLocked) rule.turning = turning;
+  rule.safe_height = 30.0;
+  rule.clearance_height = 32.0;
+  return paced_path(dimples, kTool, spindle, rule, model, kDecimals).path;
+}
+
+void write(const Dimples& dimples, const PosturePath& work, const PosturePath& told,
+           const MotionModel& model, const Kinematics& machine, const ProgramForm& form,
+           const std::string& out) {
+  std::string letters;
+  for (const RotaryAxis& axis : machine.rotary) letters += axis.letter;
+  const Rs274Text text =
+      rs274_text(told.path, model, kDecimals, FeedWord::PerMinute, {letters, told.joints});
+  std::ofstream program(out + ".ngc");
+  // the second line of the program, before anything moves; lines are counted from 1
+  const std::size_t first = text.text.find('\n') + 1;
+  program << text.text.substr(0, first) << (form.tcp ? "M428\n" : "M429\n")
+          << text.text.substr(first);
+  std::ofstream table(out + ".csv");
+  table << "line,x,y,z,azimuth_deg,patch,px,py,pz,nx,ny,nz,kx,ky,kz\n";
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < work.path.moves.size(); ++i) {
+    const Move& move = work.path.moves[i];
+    if (move.dimple == kNoDimple) continue;
+    while (told.path.moves[at].dimple != move.dimple) ++at;  // parts of split moves come before
+    const Dimple& dimple = dimples[static_cast<std::size_t>(move.dimple)];
+    const Vec3 &p = dimple.surface.position, &n = dimple.surface.normal, &t = move.end.tip;
+    const Vec3& k = told.path.moves[at].end.tip;
+    table << fmt::format(
+        "{},{:.6f},{:.6f},{:.6f},{:.6f},{},{:.6f},{:.6f},{:.6f},{:.8f},{:.8f},{:.8f},{:.6f},{:.6f},"
+        "{:.6f}\n",
+        text.lines[at] + 1, t.x(), t.y(), t.z(),
+        Angle::radians(contact_azimuth(machine, work.joints[i + 1], n)).degrees(), dimple.patch,
+        p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), k.x(), k.y(), k.z());
+  }
+}
+
+int run(int argc, char** argv) {
+  if (argc < 6) {
+    std::cerr << "make_five_axis MACHINE FORM ACCELERATION VELOCITY OUT [key=value ...]\n";
+    return 2;
+  }
+  Options options;
+  for (int i = 6; i < argc; ++i) {
+    const std::string word = argv[i];
+    const std::size_t equals = word.find('=');
+    options.words[word.substr(0, equals)] = word.substr(equals + 1);
+  }
+  MotionModel model;
+  model.acceleration = std::stod(argv[3]);
+  model.velocity = std::stod(argv[4]);
+  model.spindle_lock = true;
+  ProgramForm form;
+  form.tcp = std::string(argv[2]) == "tcp";
+  form.chord = options.number("chord", 1e-3);
+  form.chord_clear = options.number("clear", 0.05);
+  form.reference =
+      options.number("ball", 0.0) > 0.0 ? ReferencePoint::BallCentre : ReferencePoint::Tip;
+  const int patches = static_cast<int>(options.number("patches", 1));
+  const Dimples dimples = bezier_patches(-27.5, -27.5, static_cast<int>(options.number("side", 14)),
+                                         kSpacing, patches > 1 ? 2 : 1, patches > 2 ? 2 : 1);
+  ToolAxisRule rule;
+  rule.mode = ToolAxisMode::Normal;
+  rule.lead = Angle::degrees(options.number("lead", 15.0));
+  if (options.word("towards", "x") == "x") rule.towards = Vec3::UnitX();
+  const Kinematics machine = machine_of(argv[1]);
+  std::vector<Vec3> axes = tool_axes(dimples, rule);
+  if (options.word("strategy", "locked") == "locked")
+    axes = axes_by_row(dimples, axes, Angle::degrees(options.number("rows", 10.0)));
+  const PosturePlan postures = plan_postures(machine, dimples, axes, kDecimals);
+  if (!postures.complete) throw InputError("ToolAxis", "not reached", postures.reason);
+  const ToolPath vertical =
+      plan(options, dimples, postures.postures.azimuths,
+           turning_seconds(machine, dimples, postures.postures, kTool, model, form), model);
+  const PosturePath work = with_postures(vertical, postures.postures, machine, kDecimals);
+  const PosturePath told = programmed(work, machine, form);
+  write(dimples, work, told, model, machine, form, argv[5]);
+  double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
+  for (const Joints& q : work.joints)
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], Angle::radians(q[k]).degrees());
+      high[k] = std::max(high[k], Angle::radians(q[k]).degrees());
+    }
+  std::cout << fmt::format("moves={} told={} C={:.3f}..{:.3f} tilting={:.3f}..{:.3f}\n",
+                           work.path.moves.size(), told.path.moves.size(), low[0], high[0], low[1],
+                           high[1]);
+  return 0;
+}
+
+}  // namespace
+}  // namespace patchmill
+
+int main(int argc, char** argv) {
+  try {
+    return patchmill::run(argc, argv);
+  } catch (const patchmill::InputError& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+}

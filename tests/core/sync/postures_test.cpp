@@ -1,0 +1,181 @@
+// Postures in the strategies: where the ball goes, what the phase is counted against, and that both forms
+// of a program come back to the same tool tips.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/sync/postures.h"
+
+#include "../machine/machines.h"
+#include "bezier_dimples.h"
+#include "core/geometry/error.h"
+#include "core/machine/programmed_path.h"
+#include "core/sync/constant_feed.h"
+#include "core/sync/paced_path.h"
+#include "core/sync/phase_error.h"
+#include "core/sync/tool_axis.h"
+
+#include <gtest/gtest.h>
+
+namespace patchmill {
+namespace {
+
+const Decimals kDecimals(4);
+const BallEndMill kTool{1.0, 2};
+const Spindle kSpindle{1000.0 / 60.0, SpindleSense::M3};
+
+struct Case {
+  Dimples dimples = table1_dimples(14, 1, 1);
+  Postures postures;
+  Kinematics machine;
+
+  explicit Case(const Kinematics& m) : machine(m) {
+    ToolAxisRule rule;
+    rule.mode = ToolAxisMode::Normal;
+    rule.lead = Angle::degrees(15.0);
+    rule.towards = Vec3::UnitX();
+    const PosturePlan plan = plan_postures(machine, dimples, tool_axes(dimples, rule), kDecimals);
+    EXPECT_TRUE(plan.complete) << plan.reason;
+    postures = plan.postures;
+  }
+  PhaseRule phase(double extra) const {
+    PhaseRule rule;
+    rule.extra_turns = extra;
+    rule.azimuths = postures.azimuths;
+    return rule;
+  }
+  ToolPath constant_feed() const {
+    ConstantFeed rule{434.413 / 60.0, phase(5.0), 40.0, 45.0};
+    return constant_feed_path(dimples, kTool, kSpindle, rule, kDecimals);
+  }
+};
+
+std::vector<NamedMachine> tilting_machines() {
+  std::vector<NamedMachine> out;
+  for (const NamedMachine& m : machines_of_every_kind())
+    if (std::string(m.name) != "skew axes") out.push_back(m);
+  return out;
+}
+
+TEST(Postures, TheBallMeetsEachDimpleAndThePhaseCountsTheTable) {
+  for (const auto& [name, machine] : tilting_machines()) {
+    const Case c(machine);
+    const PosturePath path = with_postures(c.constant_feed(), c.postures, machine, kDecimals);
+    double turns = 0.0, first_turns = 0.0, first_azimuth = 0.0;
+    bool any = false;
+    for (std::size_t i = 0; i < path.path.moves.size(); ++i) {
+      const Move& move = path.path.moves[i];
+      if (!std::isnan(move.turns)) turns += move.turns;
+      if (move.dimple == kNoDimple) continue;
+      const SurfacePoint& s = c.dimples[static_cast<std::size_t>(move.dimple)].surface;
+      EXPECT_LT((ball_centre(move.end, kTool.radius) - (s.position + s.normal)).norm(), 1e-4)
+          << name;
+      EXPECT_LT(angle_between(move.end.axis, tool_axis(machine, path.joints[i + 1])), 1e-12);
+      // seen from the housing, which does not turn: the rotary axes have turned the normal
+      const Vec3 n = housing_to_work(machine, path.joints[i + 1]).transpose() * s.normal;
+      const double azimuth = std::atan2(-n.y(), -n.x());
+      if (!any) {
+        any = true;
+        first_turns = turns;
+        first_azimuth = azimuth;
+      }
+      const double spindle = -2.0 * kPi * (turns - first_turns);
+      EXPECT_LT(std::abs(std::remainder(spindle - (azimuth - first_azimuth), kPi)),
+                Angle::degrees(0.5).radians())
+          << name;
+    }
+  }
+}
+
+// On an A/C table the contact azimuth is not the one that a vertical tool would have.
+TEST(Postures, ARotaryTableChangesWhatEveryStrategyCounts) {
+  const Case c(machines_of_every_kind()[0].kinematics);
+  MotionModel model;
+  model.velocity = 100.0;
+  model.acceleration = 2000.0;
+  model.spindle_lock = true;
+  PacedRule paced;
+  paced.phase = c.phase(0.0);
+  paced.safe_height = 40.0;
+  paced.clearance_height = 45.0;
+  const ToolPath locked = paced_path(c.dimples, kTool, kSpindle, paced, model, kDecimals).path;
+  for (const ToolPath& path : {c.constant_feed(), locked}) {
+    const auto wanted = wanted_phases(c.dimples, c.phase(0.0), kSpindle);
+    const auto vertical = wanted_phases(c.dimples, PhaseRule(), kSpindle);
+    const Angle half = Angle::degrees(180.0);
+    EXPECT_LT(summary(phase_errors(path, wanted, half)).largest.degrees(), 0.5);
+    EXPECT_GT(summary(phase_errors(path, vertical, half)).largest.degrees(), 20.0);
+  }
+}
+
+TEST(Postures, BothFormsComeBackToTheSameTips) {
+  for (const auto& [name, machine] : tilting_machines()) {
+    const Case c(machine);
+    const PosturePath work = with_postures(c.constant_feed(), c.postures, machine, kDecimals);
+    for (const bool tcp : {true, false})
+      for (const ReferencePoint reference : {ReferencePoint::Tip, ReferencePoint::BallCentre}) {
+        const ProgramForm form{tcp, reference, 1e-4, 0.0};
+        const Kinematics with = with_tool(machine, 80.0, form, kTool);
+        const PosturePath told = programmed(work, with, form);
+        const ToolPath back = work_path(told, with, form);
+        // the ends of moves, in order; parts of split moves lie on the straight way between them
+        std::size_t r = 0;
+        ToolPose from = work.path.start;
+        double turns = 0.0, planned = 0.0;
+        for (std::size_t i = 0; i < work.path.moves.size(); ++i) {
+          const Move& move = work.path.moves[i];
+          if (!std::isnan(move.turns)) planned += move.turns;
+          for (;; ++r) {
+            ASSERT_LT(r, back.moves.size()) << name;
+            if (!std::isnan(back.moves[r].turns)) turns += back.moves[r].turns;
+            if ((back.moves[r].end.tip - move.end.tip).norm() < 1e-9) break;
+          }
+          ASSERT_LT(angle_between(back.moves[r].end.axis, move.end.axis), 1e-9);
+          ++r;
+          ASSERT_NEAR(turns, planned, 1e-6) << name;
+          from = move.end;
+        }
+        EXPECT_EQ(tcp, told.path.moves.size() == work.path.moves.size()) << name;
+      }
+  }
+}
+
+TEST(Postures, SplitMovesStayWithinTheChord) {
+  for (const auto& [name, machine] : tilting_machines()) {
+    const Case c(machine);
+    const PosturePath work = with_postures(c.constant_feed(), c.postures, machine, kDecimals);
+    const ProgramForm form{false, ReferencePoint::Tip, 1e-4, 0.0};
+    const Kinematics with = with_tool(machine, 80.0, form, kTool);
+    const PosturePath told = programmed(work, with, form);
+    const ToolPath back = work_path(told, with, form);
+    double worst = 0.0;
+    for (std::size_t i = 1; i < told.path.moves.size(); ++i) {
+      const Vec3 &a = back.moves[i - 1].end.tip, &b = back.moves[i].end.tip;
+      for (const double s : {0.25, 0.5, 0.75}) {
+        const Vec3 linear =
+            (1.0 - s) * told.path.moves[i - 1].end.tip + s * told.path.moves[i].end.tip;
+        Joints q{};
+        for (int k = 0; k < 2; ++k)
+          q[k] = (1.0 - s) * told.joints[i][k] + s * told.joints[i + 1][k];
+        worst = std::max(worst, (in_work_frame(with, linear, q) - ((1.0 - s) * a + s * b)).norm());
+      }
+    }
+    EXPECT_LT(worst, 1.3e-4) << name;  // the bend is worst near the middle, not quite in it
+    EXPECT_GT(worst, 1e-5) << name;
+  }
+}
+
+TEST(Postures, WhatTheMachineCannotPointAtIsAnOutcome) {
+  Kinematics machine = machines_of_every_kind()[0].kinematics;
+  machine.rotary[1].lowest = Angle::degrees(-5.0).radians();
+  machine.rotary[1].highest = Angle::degrees(5.0).radians();
+  const Dimples dimples = table1_dimples(14, 1, 1);
+  ToolAxisRule rule;
+  rule.mode = ToolAxisMode::Normal;
+  rule.lead = Angle::degrees(15.0);
+  rule.towards = Vec3::UnitX();
+  const PosturePlan plan = plan_postures(machine, dimples, tool_axes(dimples, rule), kDecimals);
+  EXPECT_FALSE(plan.complete);
+  EXPECT_NE(plan.failed, kNoDimple);
+  EXPECT_NE(plan.reason.find("limits"), std::string::npos) << plan.reason;
+}
+
+}  // namespace
+}  // namespace patchmill

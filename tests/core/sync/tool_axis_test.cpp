@@ -1,0 +1,154 @@
+// Tool-axis modes: what each promises, and what smoothing may do.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/sync/tool_axis.h"
+
+#include "core/geometry/error.h"
+#include "core/sync/contact_azimuth.h"
+
+#include <gtest/gtest.h>
+
+namespace patchmill {
+namespace {
+
+double between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// A row over a cylinder of radius 20 along Y, its normals from -30 to 30 degrees in the X-Z plane.
+Dimples row_over_cylinder(int count) {
+  Dimples dimples;
+  for (int i = 0; i < count; ++i) {
+    const double a = Angle::degrees(-30.0 + 60.0 * i / (count - 1)).radians();
+    Dimple d;
+    d.surface.normal = Vec3(std::sin(a), 0.0, std::cos(a));
+    d.surface.position = 20.0 * d.surface.normal;
+    dimples.push_back(d);
+  }
+  return dimples;
+}
+
+ToolAxisRule normal_rule(double lead, double tilt) {
+  ToolAxisRule rule;
+  rule.mode = ToolAxisMode::Normal;
+  rule.lead = Angle::degrees(lead);
+  rule.tilt = Angle::degrees(tilt);
+  return rule;
+}
+
+TEST(ToolAxis, LeadAndTiltAreAngledFromTheNormal) {
+  const Dimples row = row_over_cylinder(31);
+  const auto ahead = tool_axes(row, normal_rule(12.0, 0.0));
+  const auto aside = tool_axes(row, normal_rule(0.0, 7.0));
+  for (std::size_t k = 1; k + 1 < row.size(); ++k) {
+    const Vec3& n = row[k].surface.normal;
+    const Vec3 feed = (row[k + 1].surface.position - row[k - 1].surface.position).normalized();
+    EXPECT_NEAR(between(ahead[k], n), Angle::degrees(12.0).radians(), 1e-12);
+    EXPECT_GT(ahead[k].dot(feed), 0.2);
+    EXPECT_NEAR(between(aside[k], n), Angle::degrees(7.0).radians(), 1e-12);
+    EXPECT_NEAR(aside[k].dot(feed), 0.0, 1e-12);
+    EXPECT_GT(aside[k].dot(n.cross(feed)), 0.1);  // to the left of the feed
+  }
+  ToolAxisRule fixed = normal_rule(12.0, 0.0);
+  fixed.towards = Vec3::UnitY();
+  for (const Vec3& t : tool_axes(row, fixed))
+    EXPECT_NEAR(t.y(), std::sin(Angle::degrees(12.0).radians()), 1e-12);
+}
+
+TEST(ToolAxis, MinimumLeadLeavesAloneWhatIsFarEnough) {
+  const Dimples row = row_over_cylinder(61);
+  ToolAxisRule rule;
+  rule.mode = ToolAxisMode::MinimumLead;
+  rule.least_lead = Angle::degrees(10.0);
+  const auto axes = tool_axes(row, rule);
+  int moved = 0;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const Vec3& n = row[k].surface.normal;
+    EXPECT_GE(between(axes[k], n), Angle::degrees(10.0).radians() - 1e-12);
+    if (between(n, Vec3::UnitZ()) >= Angle::degrees(10.0).radians()) {
+      EXPECT_EQ(axes[k], Vec3(Vec3::UnitZ()));
+    } else {
+      EXPECT_NEAR(between(axes[k], n), Angle::degrees(10.0).radians(), 1e-12);
+      ++moved;
+    }
+  }
+  EXPECT_EQ(moved, 19);
+}
+
+TEST(ToolAxis, NoDimpleHoldsTheTipWithALead) {
+  Dimples row = row_over_cylinder(61);
+  mark_tool_tip(row, std::vector<Vec3>(row.size(), Vec3::UnitZ()), Angle::degrees(5.0));
+  EXPECT_GT(count_states(row)[static_cast<std::size_t>(DimpleState::ToolTip)], 0);
+  Dimples leading = row_over_cylinder(61);
+  mark_tool_tip(leading, tool_axes(leading, normal_rule(12.0, 0.0)), Angle::degrees(5.0));
+  EXPECT_EQ(count_states(leading)[static_cast<std::size_t>(DimpleState::ToolTip)], 0);
+}
+
+// Total bend of a run of axes: sum of second differences.
+double roughness(const std::vector<Vec3>& axes) {
+  double sum = 0.0;
+  for (std::size_t k = 1; k + 1 < axes.size(); ++k)
+    sum += (axes[k - 1] - 2.0 * axes[k] + axes[k + 1]).norm();
+  return sum;
+}
+
+TEST(ToolAxis, SmoothingStaysWithinItsTolerance) {
+  Dimples row = row_over_cylinder(61);
+  ToolAxisRule rule;
+  rule.mode = ToolAxisMode::Field;
+  for (std::size_t k = 0; k < row.size(); ++k)  // a staircase, as of a coarse posture field
+    rule.field.push_back(
+        Vec3(std::sin(0.1 * std::floor(k / 10.0)), 0.02 * (k % 2), 1.0).normalized());
+  const auto rough = tool_axes(row, rule);
+  rule.smoothing = Angle::degrees(4.0);
+  const auto smooth = tool_axes(row, rule);
+  for (std::size_t k = 0; k < row.size(); ++k)
+    EXPECT_LE(between(smooth[k], rough[k]), Angle::degrees(4.0).radians() + 1e-12);
+  EXPECT_LT(roughness(smooth), 0.2 * roughness(rough));
+}
+
+TEST(ToolAxis, WidestTiltIsKept) {
+  ToolAxisRule rule = normal_rule(20.0, 0.0);
+  rule.widest = Angle::degrees(25.0);
+  for (const Vec3& t : tool_axes(row_over_cylinder(31), rule))
+    EXPECT_LE(between(t, Vec3::UnitZ()), Angle::degrees(25.0).radians() + 1e-12);
+}
+
+TEST(ToolAxis, RowsKeepOneAxisWithinTheTolerance) {
+  const Dimples row = row_over_cylinder(61);
+  const auto asked = tool_axes(row, normal_rule(10.0, 0.0));
+  const auto axes = axes_by_row(row, asked, Angle::degrees(8.0));
+  int pieces = 1;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    EXPECT_LE(between(axes[k], asked[k]), Angle::degrees(8.0).radians() + 1e-12);
+    if (k && axes[k] != axes[k - 1]) ++pieces;
+  }
+  EXPECT_EQ(pieces, 4);  // 60 degrees of normals in pieces of less than 16
+}
+
+std::string fault(const ToolAxisRule& rule) {
+  try {
+    tool_axes(row_over_cylinder(3), rule);
+  } catch (const InputError& error) {
+    return error.property();
+  }
+  return "none";
+}
+
+TEST(ToolAxis, BadInputIsNamed) {
+  EXPECT_EQ(fault(normal_rule(85.0, 0.0)), "Lead");
+  EXPECT_EQ(fault(normal_rule(0.0, -95.0)), "Tilt");
+  ToolAxisRule rule;
+  rule.axis = Vec3::Zero();
+  EXPECT_EQ(fault(rule), "FixedAxis");
+  rule = ToolAxisRule();
+  rule.mode = ToolAxisMode::Field;
+  EXPECT_EQ(fault(rule), "PostureField");
+  rule.field.assign(3, Vec3::Zero());
+  EXPECT_EQ(fault(rule), "PostureField");
+  rule = ToolAxisRule();
+  rule.smoothing = Angle::degrees(50.0);
+  EXPECT_EQ(fault(rule), "AxisSmoothing");
+}
+
+}  // namespace
+}  // namespace patchmill
