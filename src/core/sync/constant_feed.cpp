@@ -4,7 +4,7 @@
 
 #include "core/sync/contact_azimuth.h"
 #include "core/sync/fit_length.h"
-#include "core/sync/link.h"
+#include "core/sync/path_account.h"
 
 #include <algorithm>
 
@@ -14,44 +14,6 @@ namespace patchmill {
 namespace {
 
 constexpr double kGoodFit = 2e-5;  // mm of length: 0.017 degrees at the paper's F and S
-
-// Appends moves and keeps the account of turns: what the phase rule has asked for so far, and what
-// the rounded path has really taken.
-class PathBuilder {
- public:
-  PathBuilder(ToolPath& path, double turns_per_mm, double safe_height)
-      : path_(path), turns_per_mm_(turns_per_mm), safe_height_(safe_height) {}
-
-  const Vec3& at() const { return at_; }
-  /// Length that the next step must have so that no error is carried on [mm].
-  double length_for(double turns) const { return (owed_ + turns) / turns_per_mm_; }
-  void owe(double turns) { owed_ += turns; }
-  /// Reduces what is owed by whole periods.
-  void forgive(double period) { owed_ -= std::round(owed_ / period) * period; }
-
-  void rapid(const Vec3& tip) {
-    path_.moves.push_back({pose(tip), kUnknownTurns, kNoDimple, MoveKind::Rapid});
-    at_ = tip;
-  }
-  void timed(const Vec3& tip, MoveKind kind, std::int32_t dimple = kNoDimple) {
-    if (kind == MoveKind::Cut && tip.z() > safe_height_)
-      throw InputError("SafeHeight", fmt::format("{} mm", safe_height_),
-                       fmt::format("the tool reaches Z {:.3f} mm between dimples: give a greater "
-                                   "safe height.",
-                                   tip.z()));
-    const double turns = (tip - at_).norm() * turns_per_mm_;
-    path_.moves.push_back({pose(tip), turns, dimple, kind});
-    owed_ -= turns;
-    at_ = tip;
-  }
-
- private:
-  static ToolPose pose(const Vec3& tip) { return {tip, Vec3::UnitZ()}; }
-  ToolPath& path_;
-  double turns_per_mm_, safe_height_;
-  Vec3 at_ = Vec3::Zero();
-  double owed_ = 0.0;
-};
 
 struct Planned {
   Vec3 tip;  // on the decimals
@@ -90,7 +52,7 @@ void require_valid(const ConstantFeed& rule, const BallEndMill& tool, const Spin
                      fmt::format("give at least the safe height, {} mm.", rule.safe_height));
 }
 
-void step(PathBuilder& build, const Planned& a, const Planned& b, double turns, double feed,
+void step(PathAccount& build, const Planned& a, const Planned& b, double turns, double feed,
           double turns_per_mm, const Decimals& decimals) {
   const double length = build.length_for(turns), distance = (b.tip - a.tip).norm();
   if (length < distance)
@@ -104,18 +66,6 @@ void step(PathBuilder& build, const Planned& a, const Planned& b, double turns, 
   build.owe(turns);
   build.timed(fit_corner(a.tip, ideal, b.tip, length, decimals, kGoodFit), MoveKind::Cut);
   build.timed(b.tip, MoveKind::Cut, b.number);
-}
-
-void link(PathBuilder& build, const Planned& b, double turns, double period, double turns_per_mm,
-          double safe_height, const Decimals& decimals) {
-  const LinkRequest request{build.at(), b.tip, safe_height, build.length_for(turns),
-                            period / turns_per_mm};
-  const auto corners = link_corners(request, decimals);
-  build.owe(turns);
-  build.timed(corners[0], MoveKind::Link);
-  build.timed(corners[1], MoveKind::Link);
-  build.timed(b.tip, MoveKind::Link, b.number);
-  build.forgive(period);
 }
 
 }  // namespace
@@ -150,15 +100,8 @@ ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, con
 
   ToolPath path{tool, spindle, {}, {}};
   path.moves.reserve(2 * planned.size() + 16);
-  PathBuilder build(path, turns_per_mm, rule.safe_height);
-  const Vec3 first = planned.front().tip;
-  const double safe = decimals.round(rule.safe_height);
-  const Vec3 above(first.x(), first.y(), decimals.round(rule.clearance_height));
-  path.start = {above, Vec3::UnitZ()};
-  build.rapid(above);
-  build.rapid({first.x(), first.y(), safe});
-  build.timed(first, MoveKind::Link, planned.front().number);
-  build.owe((safe - first.z()) * turns_per_mm);  // the first dimple is phase zero
+  PathAccount build(path, turns_per_mm, rule.safe_height);
+  build.begin(planned.front().tip, planned.front().number, rule.clearance_height, decimals);
   for (std::size_t i = 1; i < planned.size(); ++i) {
     const Planned &a = planned[i - 1], &b = planned[i];
     const double turns = spindle_advance(a.azimuth, b.azimuth, rule.phase, tool, spindle).turns();
@@ -166,11 +109,9 @@ ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, con
     if (a.patch == b.patch && b.number == a.number + 1)
       step(build, a, b, turns, feed, turns_per_mm, decimals);
     else
-      link(build, b, turns, period, turns_per_mm, rule.safe_height, decimals);
+      build.link(b.tip, b.number, turns, period, decimals);
   }
-  const Vec3 last = build.at();
-  build.timed({last.x(), last.y(), safe}, MoveKind::Link);
-  build.rapid({last.x(), last.y(), above.z()});
+  build.end(rule.clearance_height, decimals);
   return path;
 }
 
