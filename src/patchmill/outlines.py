@@ -14,23 +14,15 @@ CUT = 0  # state of a sample that lies on a face
 def outlines_on_faces(placed, steps=8):
     """The outlines of a PlacedTexture's patches, projected as its dimples are: a list of (k, 3) arrays [mm],
     closed, each side in `steps` pieces. Rows of NaN where an outline leaves the faces."""
-    corners = placed.division.outlines()
-    if not corners:
+    flat = [np.vstack([line, line[:1]]) for line in placed.outlines(steps)]
+    if not flat:
         return []
-    flat = [_subdivided(polygon, steps) for polygon in corners]
     given = placed.input
     sampler = core.FaceSampler(given.breps, placed.plane, radians(given.steepest_slope))
-    hits = sampler.sample(np.concatenate(flat))
+    points = np.concatenate(flat)
+    known = np.isfinite(points).all(axis=1)
+    hits = sampler.sample(np.where(known[:, None], points, 0.0))
     lift = 0.2 * given.spacing  # above the host's own, coarser triangles of the face
     places = hits["positions"] + lift * hits["normals"]
-    places[hits["states"] != CUT] = np.nan
+    places[(hits["states"] != CUT) | ~known] = np.nan
     return np.split(places, np.cumsum([len(line) for line in flat])[:-1])
-
-
-def _subdivided(polygon, steps):
-    """A closed polyline through the corners (n, 2), with `steps` pieces to a side."""
-    shares = np.arange(steps)[:, None, None] / steps
-    nxt = np.roll(polygon, -1, axis=0)
-    points = (1.0 - shares) * polygon[None] + shares * nxt[None]
-    line = points.transpose(1, 0, 2).reshape(-1, 2)
-    return np.vstack([line, line[:1]])

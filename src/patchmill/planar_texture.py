@@ -25,6 +25,33 @@ class ObjectPlanarTexture(ObjectTexture):
             "Each patch's plane fits its dimples on the faces best, or goes through its corners there",
             ["Best fit", "Corners"],
         ),
+        (
+            "App::PropertyEnumeration",
+            "Form",
+            "Free form",
+            "Lattice: dimples are placed; free: marks fall as side, cross-feed and feed make them",
+            ["Lattice", "Free"],
+        ),
+        ("App::PropertyLength", "FreeSide", "Free form", "Side of the patches", 7.0),
+        ("App::PropertyLength", "CrossFeed", "Free form", "Distance of neighbouring passes", 0.5),
+        (
+            "App::PropertyLength",
+            "FeedPerTooth",
+            "Free form",
+            "Distance of marks along the path; 0: from the tool controller's feed and spindle speed",
+            0.0,
+        ),
+    ]
+    OWN_RESULTS = [
+        ("App::PropertyString", "MarkArray", "Result", "How marks of neighbouring passes stand"),
+        ("App::PropertyFloat", "PhaseDrift", "Result", "Predicted drift from pass to pass, in teeth"),
+        ("App::PropertyFloat", "MeasuredDrift", "Result", "The same, measured on the path"),
+        (
+            "App::PropertyFloat",
+            "PhaseMiss",
+            "Result",
+            "Largest difference of the phase measured on the path and predicted, in teeth",
+        ),
     ]
 
     def patch_surface(self, obj):

@@ -33,8 +33,9 @@ class Pacing:
     clearance: float = None
 
 
-def make(given, dimples, rule, machine):
-    """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None.
+def make(given, dimples, rule, machine, path_of=None):
+    """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None; `path_of`, if
+    given, makes the ToolPath of a Spindle instead of the strategy.
     Raises InputError naming Strategy, Machine or what the core names."""
     if given.strategy not in NAMES:
         raise InputError("Strategy", given.strategy, "give one of: %s." % "; ".join(NAMES))
@@ -49,7 +50,10 @@ def make(given, dimples, rule, machine):
     clearances = []
 
     def plan(spindle):
-        path, clearance = _path(given, dimples, rule, machine, spindle)
+        if path_of:
+            path, clearance = path_of(spindle), None
+        else:
+            path, clearance = _path(given, dimples, rule, machine, spindle)
         clearances.append(clearance)
         return path
 

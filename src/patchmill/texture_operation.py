@@ -59,6 +59,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
     SURFACE = None
     CALIBRATING = False
     OWN_PROPERTIES = []
+    OWN_RESULTS = []
     planned = None
     error = None
     ready = None
@@ -94,7 +95,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
                 setattr(obj, name, default)  # a list sets an enumeration's choices
         if not hasattr(obj, "TypeId"):
             return
-        for kind, name, group, tip in RESULTS:
+        for kind, name, group, tip in RESULTS + self.OWN_RESULTS:
             if not hasattr(obj, name):
                 obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
             obj.setEditorMode(name, 1)

@@ -7,6 +7,8 @@ import math
 
 import FreeCAD
 
+from patchmill.free_form import phase_differences
+
 
 def show_results(obj, plan):
     """Sets the read-only results of a texture operation from its PlannedTexture."""
@@ -30,6 +32,9 @@ def show_results(obj, plan):
         RubbingTilt=math.degrees(plan.size["least_tilt"]),
         RubbingDimples=plan.rubbing(),
     )
+    if plan.free is not None:
+        _show_free_form(obj, plan)
+        return
     spread = plan.spread()
     _set(
         obj,
@@ -38,6 +43,22 @@ def show_results(obj, plan):
         SpacingRms=spread["rms"],
         LatticeAngleLeast=math.degrees(spread["least_angle"]),
         LatticeAngleGreatest=math.degrees(spread["greatest_angle"]),
+    )
+
+
+def _show_free_form(obj, plan):
+    phases = phase_differences(plan)
+    _set(
+        obj,
+        MarkArray=phases["state"],
+        PhaseDrift=phases["drift"],
+        MeasuredDrift=phases["measured_drift"],
+        PhaseMiss=phases["largest_miss"],
+        SpacingLeast=0.0,
+        SpacingGreatest=0.0,
+        SpacingRms=0.0,
+        LatticeAngleLeast=0.0,
+        LatticeAngleGreatest=0.0,
     )
 
 

@@ -90,9 +90,12 @@ ToolPath free_form_path(const FreeTexture& texture, const Dimples& dimples, cons
       build.owe(tooth);
       const double from = s - f_z + slip;
       slip += wanted - f_z;
-      tips.corners_between(from, s + slip, slack,
-                           [&](double at) { build.timed(tips.at(at), MoveKind::Cut); });
-      build.timed(tips.at(s + slip), MoveKind::Cut, number);
+      const Vec3 mark = tips.at(s + slip);
+      tips.corners_between(from, s + slip, slack, [&](double at) {
+        const Vec3 corner = tips.at(at);  // on the decimals it may be the mark before or after it
+        if (corner != build.at() && corner != mark) build.timed(corner, MoveKind::Cut);
+      });
+      build.timed(mark, MoveKind::Cut, number);
     } else if (before) {
       slip = 0.0;
       const double turns =

@@ -109,8 +109,9 @@ RC_GTEST_PROP(FreeForm, SpindleArrivesWithATooth, ()) {
       phase_errors(made.path, wanted_phases(made.placed.dimples, {}, made.path.spindle),
                    phase_period(2, FluteChoice::Any));
   RC_ASSERT(errors.size() == made.placed.dimples.size());
-  // both ends of a step are rounded, by half a micrometre in each direction
-  RC_ASSERT(summary(errors).largest.turns() * 2.0 * patch.feed_per_tooth < 2e-3);
+  // a step round a corner has two moves, both ends of each rounded by half a unit in each direction
+  const double most = 4.0 * std::sqrt(3.0) * 0.5e-3;
+  RC_ASSERT(summary(errors).largest.turns() * 2.0 * patch.feed_per_tooth < most);
 }
 
 TEST(FreeForm, PatchesTileThePlaneTheyLieOn) {
