@@ -21,8 +21,9 @@ MotionModel model_of(double velocity, double acceleration, double jerk, double p
 }
 
 PacedRule rule_of(bool locked, const PhaseRule& phase, double lift, double safe_height,
-                  double clearance_height) {
+                  double clearance_height, const std::vector<double>& turning) {
   PacedRule rule;
+  rule.turning = turning;
   rule.pace = locked ? Pace::SpindleLocked : Pace::Feed;
   rule.phase = phase;
   rule.lift = lift;
@@ -89,7 +90,8 @@ Verdict judge_plan(const std::function<ToolPath(const Spindle&)>& plan, const Di
 void bind_paths(py::module_& m) {
   py::class_<PacedRule>(m, "PacedRule", "Spindle-locked or feed-paced, with lift and heights [mm].")
       .def(py::init(&rule_of), py::arg("locked"), py::arg("phase"), py::arg("lift"),
-           py::arg("safe_height"), py::arg("clearance_height"));
+           py::arg("safe_height"), py::arg("clearance_height"),
+           py::arg("turning") = std::vector<double>());
   m.def(
       "paced_path",
       [](const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,

@@ -27,6 +27,8 @@ void bind_brep(py::module_& m);
 void bind_sync(py::module_& m);
 void bind_machine(py::module_& m);
 void bind_machine_model(py::module_& m);
+void bind_kinematics(py::module_& m);
+void bind_postures(py::module_& m);
 void bind_scene(py::module_& m);
 void bind_dcm(py::module_& m);
 void bind_dcm_path(py::module_& m);

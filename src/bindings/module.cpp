@@ -63,7 +63,9 @@ PYBIND11_MODULE(_patchmill, m) {
   patchmill::bind_matsuda(m);
   patchmill::bind_sync(m);
   patchmill::bind_machine(m);
+  patchmill::bind_kinematics(m);
   patchmill::bind_machine_model(m);
+  patchmill::bind_postures(m);
   patchmill::bind_scene(m);
   patchmill::bind_dcm(m);
   patchmill::bind_dcm_path(m);

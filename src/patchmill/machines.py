@@ -1,7 +1,8 @@
-"""Machine files: what a machine can do, and the start phase that was found with its calibration patch.
+"""Machine files: axes, limits and controller of a machine, and the start phase that was found with its
+calibration patch.
 
-JSON, in Resources/machines and in the user's own folder, which comes first. A file is checked against the
-schema below; what is wrong is named by its place in the file.
+JSON, in Resources/machines and in the user's own folder, which comes first. A file is checked against
+machine_schema.py and by the core's kinematics; what is wrong is named by its place in the file.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -15,21 +16,7 @@ import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
 
-NUMBER = (int, float)
-# place in the file: (types, lowest, highest); None where there is no bound
-SCHEMA = {
-    ("format",): ((str,), None, None),
-    ("version",): ((int,), 1, 1),
-    ("name",): ((str,), None, None),
-    ("spindle_lock",): ((bool,), None, None),
-    ("decimals",): ((int,), 0, 9),
-    ("servo_period_s",): (NUMBER, 1e-6, 1.0),
-    ("path_tolerance_mm",): (NUMBER, 0.0, 10.0),
-    ("linear_axes", "velocity_mm_s"): (NUMBER, 1e-3, 1e5),
-    ("linear_axes", "acceleration_mm_s2"): (NUMBER, 1e-3, 1e7),
-    ("linear_axes", "jerk_mm_s3"): (NUMBER + (type(None),), 1e-3, 1e10),
-    ("start_phase_degrees",): (NUMBER, 0.0, 360.0),
-}
+from patchmill import machine_schema
 
 
 @dataclass
@@ -51,6 +38,22 @@ class Machine:
             self.data["path_tolerance_mm"],
             self.data["spindle_lock"],
         )
+
+    @property
+    def kinematics(self):
+        """Its _patchmill.Kinematics, without a tool."""
+        return kinematics(self.data, self.key)
+
+    @property
+    def rotary_letters(self):
+        """Letters of the rotary axes in chain order; '' on three axes."""
+        return "".join(axis["letter"] for axis in self.data.get("rotary_axes", []))
+
+    @property
+    def controller(self):
+        """What the file says of the controller, with what it leaves out."""
+        default = {"dialect": "freecad", "tcp": False, "reference": "tip", "operator": []}
+        return dict(default, **self.data.get("controller", {}))
 
     @property
     def start_phase(self):
@@ -92,34 +95,39 @@ def load(key):
 
 
 def checked(text, key):
-    """The data of a machine file's text, if it fits the schema."""
-    try:
-        data = json.loads(text)
-    except ValueError as error:
-        raise InputError("Machine file %s" % key, "no JSON", str(error)) from error
-    for place, (types, low, high) in SCHEMA.items():
-        _check_value(data, place, types, low, high, key)
-    known = {place[0] for place in SCHEMA}
-    for word in data:
-        if word not in known:
-            raise InputError("Machine file %s: /%s" % (key, word), data[word], "unknown word: remove it.")
-    if data["format"] != "patchmill-machine":
-        raise InputError("Machine file %s: /format" % key, data["format"], "give patchmill-machine.")
+    """The data of a machine file's text, if it fits the schema and its axes make a machine."""
+    data = machine_schema.checked(text, key)
+    kinematics(data, key)
     return data
 
 
-def _check_value(data, place, types, low, high, key):
-    name = "Machine file %s: /%s" % (key, "/".join(place))
-    value = data
-    for word in place:
-        if not isinstance(value, dict) or word not in value:
-            raise InputError(name, "missing", "give it.")
-        value = value[word]
-    wrong_type = not isinstance(value, types) or (isinstance(value, bool) and bool not in types)
-    if wrong_type:
-        raise InputError(name, repr(value), "give a %s." % " or ".join(t.__name__ for t in types))
-    if value is not None and low is not None and not low <= value <= high:
-        raise InputError(name, value, "give a value from %g to %g." % (low, high))
+def kinematics(data, key):
+    """_patchmill.Kinematics of a machine file's data. Raises InputError naming the place."""
+    radians = math.radians
+    limits = data["linear_axes"].get("limits_mm", {})
+    try:
+        made = core.Kinematics(
+            [limits.get(c, (-math.inf, math.inf))[0] for c in "XYZ"],
+            [limits.get(c, (-math.inf, math.inf))[1] for c in "XYZ"],
+            data.get("work_zero_mm", (0.0, 0.0, 0.0)),
+        )
+        for axis in data.get("rotary_axes", []):
+            low, high = axis["limits_degrees"] or (-math.inf, math.inf)
+            made.add_rotary(
+                axis["letter"],
+                axis["side"],
+                axis["direction"],
+                axis["point_mm"],
+                radians(low),
+                radians(high),
+                radians(axis["velocity_deg_s"]),
+                radians(axis["acceleration_deg_s2"]),
+            )
+        made.require_valid()
+    except InputError as error:
+        place = "Machine file %s: /%s" % (key, error.property)
+        raise InputError(place, error.value, error.remedy) from error
+    return made
 
 
 def store_start_phase(key, degrees):

@@ -150,7 +150,7 @@ int run(int argc, char** argv) {
       plan(options, dimples, postures.postures.azimuths,
            turning_seconds(machine, dimples, postures.postures, kTool, model, form), model);
   const PosturePath work = with_postures(vertical, postures.postures, machine, kDecimals);
-  const PosturePath told = programmed(work, machine, form);
+  const PosturePath told = on_decimals(programmed(work, machine, form), kDecimals);
   write(dimples, work, told, model, machine, form, argv[5]);
   double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
   for (const Joints& q : work.joints)

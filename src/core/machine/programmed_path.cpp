@@ -83,6 +83,12 @@ PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
   return out;
 }
 
+PosturePath on_decimals(PosturePath programmed, const Decimals& decimals) {
+  programmed.path.start.tip = decimals.round(programmed.path.start.tip);
+  for (Move& move : programmed.path.moves) move.end.tip = decimals.round(move.end.tip);
+  return programmed;
+}
+
 ToolPath work_path(const PosturePath& posture, const Kinematics& machine, const ProgramForm& form) {
   ToolPath path = posture.path;
   const double radius = path.tool.radius;

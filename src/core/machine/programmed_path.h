@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/machine/joint_plan.h"
+#include "core/sync/rounding.h"
 
 namespace patchmill {
 
@@ -33,6 +34,9 @@ int split_parts(const Kinematics& machine, const ProgramForm& form, MoveKind kin
 /// `machine`: with_tool(). Errors: InputError naming Chord (not positive).
 PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
                        const ProgramForm& form);
+
+/// The programmed points put on the program's decimals, so that lengths are what the machine is told.
+PosturePath on_decimals(PosturePath programmed, const Decimals& decimals);
 
 /// The other way: a path of programmed points, as read from a program, as tool tips in the work frame.
 ToolPath work_path(const PosturePath& programmed, const Kinematics& machine,

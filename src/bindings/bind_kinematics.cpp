@@ -1,0 +1,149 @@
+// Kinematics of machines with rotary axes for Python. Angles in radians, lengths in mm; arrays of
+// joints are (n, 2) in chain order.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/arrays.h"
+#include "bindings/bindings.h"
+#include "core/geometry/error.h"
+#include "core/machine/programmed_path.h"
+
+namespace patchmill {
+namespace {
+
+Kinematics kinematics_of(const Vec3& lowest, const Vec3& highest, const Vec3& work_zero) {
+  Kinematics machine;
+  machine.lowest = lowest;
+  machine.highest = highest;
+  machine.work_zero = work_zero;
+  return machine;
+}
+
+void add_rotary(Kinematics& machine, const std::string& letter, const std::string& side,
+                const Vec3& direction, const Vec3& point, double lowest, double highest,
+                double rate, double acceleration) {
+  if (letter.size() != 1) throw InputError("letter", "'" + letter + "'", "give A, B or C.");
+  if (side != "table" && side != "head")
+    throw InputError("side", "'" + side + "'", "give table or head.");
+  RotaryAxis axis;
+  axis.letter = letter[0];
+  axis.side = side == "table" ? AxisSide::Table : AxisSide::Head;
+  axis.direction = direction.norm() > 1e-9 ? Vec3(direction.normalized()) : Vec3(Vec3::Zero());
+  axis.point = point;
+  axis.lowest = lowest;
+  axis.highest = highest;
+  axis.rate = rate;
+  axis.acceleration = acceleration;
+  machine.rotary.push_back(axis);
+}
+
+py::dict plan_dict(const Kinematics& machine, const Points& axes,
+                   const py::array_t<bool, py::array::forcecast>& clear, double pole_tolerance) {
+  std::vector<AxisTarget> targets;
+  const auto flag = clear.unchecked<1>();
+  const std::vector<Vec3> directions = points_of(axes, "axes");
+  if (static_cast<std::size_t>(flag.shape(0)) != directions.size())
+    throw InputError("clear", std::to_string(flag.shape(0)), "give one for each axis.");
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    targets.push_back({directions[i].normalized(), flag(static_cast<py::ssize_t>(i))});
+  JointPlan plan;
+  {
+    const py::gil_scoped_release release;
+    plan = plan_joints(machine, targets, pole_tolerance);
+  }
+  py::dict d;
+  d["complete"] = plan.complete;
+  d["failed"] = plan.failed;
+  d["reason"] = plan.reason;
+  d["travel"] = plan.travel;
+  d["joints"] = joints_array(plan.joints);
+  return d;
+}
+
+ProgramForm form_of(bool tcp, const std::string& reference, double chord, double chord_clear) {
+  if (reference != "tip" && reference != "ball centre")
+    throw InputError("reference", "'" + reference + "'", "give tip or ball centre.");
+  return {tcp, reference == "tip" ? ReferencePoint::Tip : ReferencePoint::BallCentre, chord,
+          chord_clear};
+}
+
+}  // namespace
+
+void bind_kinematics(py::module_& m) {
+  py::class_<Kinematics>(m, "Kinematics", "Rotary axes in chain order, from the work to the tool.")
+      .def(py::init(&kinematics_of), py::arg("lowest"), py::arg("highest"), py::arg("work_zero"))
+      .def("add_rotary", &add_rotary, py::arg("letter"), py::arg("side"), py::arg("direction"),
+           py::arg("point"), py::arg("lowest"), py::arg("highest"), py::arg("rate"),
+           py::arg("acceleration"))
+      .def("require_valid", [](const Kinematics& machine) { require_valid(machine); })
+      .def_property_readonly("letters",
+                             [](const Kinematics& machine) {
+                               std::string letters;
+                               for (const RotaryAxis& axis : machine.rotary) letters += axis.letter;
+                               return letters;
+                             })
+      .def("tool_axis", &tool_axis, py::arg("joints"), "Unit tool axis in the work frame.")
+      .def(
+          "contact_azimuth",
+          [](const Kinematics& machine, const Joints& joints, const Vec3& normal) {
+            return contact_azimuth(machine, joints, normal);
+          },
+          py::arg("joints"), py::arg("normal"))
+      .def(
+          "solve_axis",
+          [](const Kinematics& machine, const Vec3& axis) {
+            std::vector<Joints> all;
+            for (const AxisSolution& s : solve_axis(machine, axis.normalized()))
+              all.push_back(s.joints);
+            return all;
+          },
+          py::arg("axis"), "Both ways to point the tool along `axis`, without limits and turns.")
+      .def("pivot_referred", &pivot_referred, py::arg("point"), py::arg("joints"))
+      .def("in_work_frame", &in_work_frame, py::arg("linear"), py::arg("joints"));
+  py::class_<ProgramForm>(m, "ProgramForm", "With TCP or without; programmed point; chords [mm].")
+      .def(py::init(&form_of), py::arg("tcp") = true, py::arg("reference") = "tip",
+           py::arg("chord") = 1e-3, py::arg("chord_clear") = 0.0)
+      .def_readonly("tcp", &ProgramForm::tcp);
+  m.def("with_tool", &with_tool, py::arg("machine"), py::arg("tool_length"), py::arg("form"),
+        py::arg("tool"), "`machine` with the tool length that the form's programmed point has.");
+  m.def("plan_joints", &plan_dict, py::arg("machine"), py::arg("axes"), py::arg("clear"),
+        py::arg("pole_tolerance") = 1e-9,
+        "Joints along axes (n, 3) by least travel within limits; unwinding only where `clear`.");
+  py::class_<PosturePath>(m, "PosturePath", "A path with the angles of its rotary axes.")
+      .def_readonly("path", &PosturePath::path)
+      .def_property_readonly(
+          "joints", [](const PosturePath& p) { return joints_array(p.joints); },
+          "At the start and at the end of each move, (n + 1, 2).");
+  m.def(
+      "plan_path_joints",
+      [](const Kinematics& machine, const ToolPath& path, double pole_tolerance) {
+        JointPlan plan = plan_joints(machine, path, pole_tolerance);
+        if (!plan.complete)
+          throw InputError("ToolAxis", "move " + std::to_string(plan.failed), plan.reason);
+        return PosturePath{path, std::move(plan.joints)};
+      },
+      py::arg("machine"), py::arg("path"), py::arg("pole_tolerance") = 1e-9,
+      py::call_guard<py::gil_scoped_release>(), "Any ToolPath with angles. Raises InputError.");
+  m.def(
+      "programmed",
+      [](const PosturePath& posture, const Kinematics& machine, const ProgramForm& form,
+         int decimals) {
+        return on_decimals(programmed(posture, machine, form), Decimals(decimals));
+      },
+      py::arg("posture"), py::arg("machine"), py::arg("form"), py::arg("decimals"),
+      py::call_guard<py::gil_scoped_release>(),
+      "What X Y Z are told, on the decimals; without TCP moves may be split.");
+  m.def(
+      "axis_load",
+      [](const Kinematics& machine, const PosturePath& posture) {
+        const AxisLoad load = axis_load(machine, posture);
+        py::dict d;
+        d["rate"] = load.rate;
+        d["rate_axis"] = std::string(1, load.rate_axis);
+        d["rate_move"] = load.rate_move;
+        d["overtravel_mm"] = load.overtravel;
+        d["overtravel_axis"] = std::string(1, load.overtravel_axis);
+        return d;
+      },
+      py::arg("machine"), py::arg("posture"), "What a path asks of the axes, as shares of limits.");
+}
+
+}  // namespace patchmill

@@ -1,0 +1,113 @@
+// Tool-axis modes and postures for Python. Angles in radians, lengths in mm.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/arrays.h"
+#include "bindings/bindings.h"
+#include "core/machine/rs274_text.h"
+#include "core/sync/phase_rule.h"
+#include "core/sync/postures.h"
+#include "core/sync/tool_axis.h"
+
+namespace patchmill {
+namespace {
+
+ToolAxisMode mode_of(const std::string& name) {
+  if (name == "Fixed") return ToolAxisMode::Fixed;
+  if (name == "Normal") return ToolAxisMode::Normal;
+  if (name == "Minimum lead") return ToolAxisMode::MinimumLead;
+  if (name == "Field") return ToolAxisMode::Field;
+  throw InputError("ToolAxisMode", "'" + name + "'", "give Fixed, Normal, Minimum lead or Field.");
+}
+
+py::array_t<double> axes_array(const std::vector<Vec3>& axes) {
+  return rows_of(axes, [](const Vec3& v) { return v; });
+}
+
+py::array_t<double> axes_of(const Dimples& dimples, const std::string& mode, const Vec3& axis,
+                            double lead, double tilt, double least_lead, const Vec3& towards,
+                            const py::object& field, double smoothing, double widest) {
+  ToolAxisRule rule;
+  rule.mode = mode_of(mode);
+  rule.axis = axis;
+  rule.lead = Angle::radians(lead);
+  rule.tilt = Angle::radians(tilt);
+  rule.least_lead = Angle::radians(least_lead);
+  rule.towards = towards;
+  rule.smoothing = Angle::radians(smoothing);
+  rule.widest = Angle::radians(widest);
+  if (!field.is_none()) rule.field = points_of(field.cast<Points>(), "PostureField");
+  return axes_array(tool_axes(dimples, rule));
+}
+
+Postures postures_of(const Kinematics& machine, const Dimples& dimples, const Points& axes,
+                     int decimals) {
+  const std::vector<Vec3> wanted = points_of(axes, "axes");
+  PosturePlan plan;
+  {
+    const py::gil_scoped_release release;
+    plan = plan_postures(machine, dimples, wanted, Decimals(decimals));
+  }
+  if (!plan.complete)
+    throw InputError("ToolAxis", "dimple " + std::to_string(plan.failed), plan.reason);
+  return std::move(plan.postures);
+}
+
+PhaseRule with_azimuths(PhaseRule rule, const Postures& postures) {
+  rule.azimuths = postures.azimuths;
+  return rule;
+}
+
+std::string rotary_text(const PosturePath& told, const std::string& letters,
+                        const MotionModel& model, int decimals) {
+  return freecad_paced_text(told.path, model, Decimals(decimals), FeedWord::PerMinute,
+                            {letters, told.joints});
+}
+
+}  // namespace
+
+void bind_postures(py::module_& m) {
+  m.def("tool_axes", &axes_of, py::arg("dimples"), py::arg("mode"),
+        py::arg("axis") = Vec3(Vec3::UnitZ()), py::arg("lead") = 0.0, py::arg("tilt") = 0.0,
+        py::arg("least_lead") = 0.0, py::arg("towards") = Vec3(Vec3::Zero()),
+        py::arg("field") = py::none(), py::arg("smoothing") = 0.0, py::arg("widest") = kPi,
+        "One unit tool axis for each dimple, (n, 3); `field`: (n, 3) for mode 'Field'.");
+  m.def(
+      "axes_by_row",
+      [](const Dimples& dimples, const Points& axes, double tolerance) {
+        return axes_array(axes_by_row(dimples, points_of(axes, "axes"), Angle::radians(tolerance)));
+      },
+      py::arg("dimples"), py::arg("axes"), py::arg("tolerance"),
+      "Axes that stay the same along each row, as spindle-locked paths need them.");
+  m.def(
+      "mark_tool_tip_along",
+      [](Dimples& dimples, const Points& axes, double least_tilt) {
+        mark_tool_tip(dimples, points_of(axes, "axes"), Angle::radians(least_tilt));
+      },
+      py::arg("dimples"), py::arg("axes"), py::arg("least_tilt"),
+      "As mark_tool_tip with an axis for each dimple.");
+  py::class_<Postures>(m, "Postures", "How the rotary axes stand at each dimple.")
+      .def_property_readonly("joints", [](const Postures& p) { return joints_array(p.joints); })
+      .def_property_readonly("axes", [](const Postures& p) { return axes_array(p.axes); })
+      .def_property_readonly("azimuths", [](const Postures& p) {
+        return column_of<double>(p.azimuths, [](Angle a) { return a.radians(); });
+      });
+  m.def("plan_postures", &postures_of, py::arg("machine"), py::arg("dimples"), py::arg("axes"),
+        py::arg("decimals"),
+        "Postures for the dimples to be cut. Raises InputError naming ToolAxis if they cannot be.");
+  m.def("with_azimuths", &with_azimuths, py::arg("rule"), py::arg("postures"),
+        "A phase rule that counts the azimuths which the rotary axes make.");
+  m.def("turning_seconds", &turning_seconds, py::arg("machine"), py::arg("dimples"),
+        py::arg("postures"), py::arg("tool"), py::arg("model"), py::arg("form"),
+        py::call_guard<py::gil_scoped_release>());
+  m.def(
+      "with_postures",
+      [](const ToolPath& vertical, const Postures& postures, const Kinematics& machine,
+         int decimals) { return with_postures(vertical, postures, machine, Decimals(decimals)); },
+      py::arg("vertical"), py::arg("postures"), py::arg("machine"), py::arg("decimals"),
+      py::call_guard<py::gil_scoped_release>(),
+      "A planned path with its tool axes and angles; the ball centre keeps its way.");
+  m.def("freecad_rotary_text", &rotary_text, py::arg("told"), py::arg("letters"), py::arg("model"),
+        py::arg("decimals"), py::call_guard<py::gil_scoped_release>(),
+        "A programmed path with its rotary words as text for Path.Path(text).");
+}
+
+}  // namespace patchmill
