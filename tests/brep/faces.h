@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cmath>
+
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
@@ -49,6 +51,22 @@ inline Handle(Geom_BSplineSurface)
   const auto v_knots = knots(poles.NbColumns(), v_degree, v_mult);
   return new Geom_BSplineSurface(poles, weights, u_knots, v_knots, u_mult, v_mult, u_degree,
                                  v_degree);
+}
+
+/// Waves on a plane that rises along X by 0.35, so that no normal is vertical: a cubic B-spline of
+/// poles x poles over a square of side `size` [mm] around the origin.
+inline TopoDS_Face wavy_face(double size, int poles_per_side) {
+  TColgp_Array2OfPnt poles(1, poles_per_side, 1, poles_per_side);
+  TColStd_Array2OfReal weights(1, poles_per_side, 1, poles_per_side);
+  weights.Init(1.0);
+  for (int i = 1; i <= poles_per_side; ++i)
+    for (int j = 1; j <= poles_per_side; ++j) {
+      const double u = (i - 1.0) / (poles_per_side - 1), v = (j - 1.0) / (poles_per_side - 1);
+      const double wave = 0.004 * size * std::sin(12.0 * u) * std::cos(10.0 * v);
+      poles.SetValue(i, j,
+                     gp_Pnt((u - 0.5) * size, (v - 0.5) * size, 0.35 * (u - 0.5) * size + wave));
+    }
+  return BRepBuilderAPI_MakeFace(uniform_bspline(poles, weights, 3, 3), Precision::Confusion());
 }
 
 }  // namespace patchmill

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bezier.h"
 
-#include "core/patch/division.h"
+#include "core/patch/cover.h"
 
 namespace patchmill {
 namespace {
@@ -53,11 +53,8 @@ SurfacePoint bezier_point(double x, double y) {
 }
 
 Dimples bezier_patches(double x, double y, int side, double spacing, int patches_x, int patches_y) {
-  SquareDivision division;
-  division.spacing = spacing;
-  division.side = side;
-  division.patches_x = patches_x;
-  division.patches_y = patches_y;
+  const PatchDivision division =
+      patch_block({PatchShape::Square, spacing, side}, patches_x, patches_y);
   Dimples dimples = lattice_points(division);
   const Vec2 first = place(division, dimples.front().lattice);
   for (Dimple& dimple : dimples) {

@@ -3,7 +3,6 @@
 #include "core/patch/division.h"
 
 #include "core/geometry/error.h"
-#include "core/patch/cover.h"
 
 #include <cmath>
 
@@ -51,15 +50,6 @@ Helices helices_of(const PatchDivision& division) {
     if (helix.empty()) helix = patch_helix(p.shape, p.size, p.order, cell.down, cell.turn);
   }
   return helices;
-}
-
-PatchDivision as_block(const SquareDivision& d) {
-  require_valid(d);
-  PatchPattern pattern;
-  pattern.spacing = d.spacing;
-  pattern.size = d.side;
-  pattern.order = d.order;
-  return patch_block(pattern, d.patches_x, d.patches_y);
 }
 
 }  // namespace
@@ -149,50 +139,6 @@ double link_length(const PatchDivision& d) {
     before = place(d, origin + to_vec(helix.back()));
   }
   return sum;
-}
-
-void require_valid(const SquareDivision& d, std::int64_t max_dimples) {
-  require_positive("Spacing", d.spacing, "mm");
-  require_in_range("PatchSide", d.side, 1, 10000, "dimples");
-  require_in_range("PatchesX", d.patches_x, 1, 100000, "patches");
-  require_in_range("PatchesY", d.patches_y, 1, 100000, "patches");
-  const double count = double(d.side) * d.side * d.patches_x * d.patches_y;
-  if (count > double(max_dimples))
-    throw InputError("Spacing", fmt::format("{} mm", d.spacing),
-                     fmt::format("{:.0f} dimples are more than the limit of {}: choose a larger "
-                                 "spacing or fewer patches.",
-                                 count, max_dimples));
-}
-
-std::array<int, 2> patches_to_cover(const SquareDivision& division, double width, double height) {
-  SquareDivision one = division;
-  one.patches_x = one.patches_y = 1;
-  require_valid(one);
-  const double size = one.side * one.spacing;
-  if (size > width || size > height)
-    throw InputError(
-        "PatchSide", fmt::format("{} dimples of {} mm", one.side, one.spacing),
-        fmt::format("a patch of {:.3f} mm is larger than the faces ({:.3f} x {:.3f} mm "
-                    "seen along the projection direction): choose a smaller side.",
-                    size, width, height));
-  return {static_cast<int>(std::ceil(width / size - 1e-9)),
-          static_cast<int>(std::ceil(height / size - 1e-9))};
-}
-
-Vec2 place(const SquareDivision& d, const LatticePoint& lattice) {
-  const double middle_x = 0.5 * (double(d.side) * d.patches_x - 1.0);
-  const double middle_y = 0.5 * (double(d.side) * d.patches_y - 1.0);
-  return d.spacing * Vec2(lattice[0] - middle_x, lattice[1] - middle_y);
-}
-
-Dimples lattice_points(const SquareDivision& d) {
-  return lattice_points(as_block(d));
-}
-
-std::vector<std::array<Vec2, 4>> outlines(const SquareDivision& d) {
-  std::vector<std::array<Vec2, 4>> all;
-  for (const Polygon& p : outlines(as_block(d))) all.push_back({p[0], p[1], p[2], p[3]});
-  return all;
 }
 
 }  // namespace patchmill

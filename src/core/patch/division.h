@@ -76,32 +76,4 @@ Dimples lattice_points(const PatchDivision& division, std::int64_t max_dimples =
 /// to the first of the next, summed up [mm].
 double link_length(const PatchDivision& division);
 
-/// A block of square patches, centred on the texture plane's origin: PatchDivision in short.
-struct SquareDivision {
-  double spacing = 0.0;  ///< f: distance of neighbouring lattice points in the texture plane [mm]
-  int side = 0;          ///< m: dimples along a patch's side
-  int patches_x = 0;     ///< number of patches along x
-  int patches_y = 0;
-  HelixOrder order = HelixOrder::Inward;
-};
-
-/// Errors: InputError naming Spacing, PatchSide, PatchesX or PatchesY; also if there would be more
-/// than `max_dimples` lattice points.
-void require_valid(const SquareDivision& division, std::int64_t max_dimples = 20000000);
-
-/// How many patches of the division's side and spacing it takes to cover width x height [mm]:
-/// {along x, along y}, each at least 1.
-/// Errors: as require_valid, and InputError naming PatchSide if a patch is larger than the area.
-std::array<int, 2> patches_to_cover(const SquareDivision& division, double width, double height);
-
-/// Place of a lattice point in the texture plane's own coordinates [mm].
-Vec2 place(const SquareDivision& division, const LatticePoint& lattice);
-
-/// As for PatchDivision; patches row by row, to and fro.
-Dimples lattice_points(const SquareDivision& division);
-
-/// Outlines of the patches in the texture plane [mm]: four corners each, half a step outside the
-/// outermost dimples, so that neighbours share their borders.
-std::vector<std::array<Vec2, 4>> outlines(const SquareDivision& division);
-
 }  // namespace patchmill

@@ -173,17 +173,16 @@ TEST(PatchDivision, LinesRunOnAcrossBorders) {
   }
 }
 
-TEST(PatchDivision, BlockIsTheSquareDivision) {
-  const SquareDivision s{0.5, 14, 8, 7, HelixOrder::Outward};
-  const PatchDivision d =
-      patch_block({PatchShape::Square, 0.5, 14, HelixOrder::Outward, HelixStart::SameCorner}, 8, 7);
-  const Dimples a = lattice_points(s), b = lattice_points(d);
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a[i].lattice, b[i].lattice);
-    ASSERT_EQ(a[i].patch, b[i].patch);
-    ASSERT_NEAR((place(s, a[i].lattice) - place(d, b[i].lattice)).norm(), 0.0, 1e-12);
+TEST(PatchDivision, BlocksOfSquaresAreCentredAndWhole) {
+  const PatchDivision d = patch_block({PatchShape::Square, 0.5, 14, HelixOrder::Outward}, 8, 7);
+  EXPECT_NEAR((place(d, LatticePoint{0, 0}) + place(d, LatticePoint{111, 97})).norm(), 0.0, 1e-12);
+  std::set<LatticePoint> seen;
+  for (const Dimple& dimple : lattice_points(d)) {
+    ASSERT_TRUE(seen.insert(dimple.lattice).second);
+    ASSERT_TRUE(dimple.lattice[0] >= 0 && dimple.lattice[0] < 112);
+    ASSERT_TRUE(dimple.lattice[1] >= 0 && dimple.lattice[1] < 98);
   }
+  EXPECT_EQ(seen.size(), 112u * 98u);
 }
 
 TEST(PatchDivision, CoverTakesNoMoreSquaresThanNeeded) {

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/patch/division.h"
+#include "core/patch/cover.h"
 
 namespace patchmill {
 
@@ -23,11 +23,7 @@ struct BallSurface {
 /// from the sphere's centre.
 inline Dimples dimples_on(const BallSurface& surface, double x, double y, int side,
                           int patches_x = 1, int patches_y = 1) {
-  SquareDivision division;
-  division.spacing = 0.5;
-  division.side = side;
-  division.patches_x = patches_x;
-  division.patches_y = patches_y;
+  const PatchDivision division = patch_block({PatchShape::Square, 0.5, side}, patches_x, patches_y);
   Dimples dimples = lattice_points(division);
   const Vec2 first = place(division, dimples.front().lattice);
   for (Dimple& dimple : dimples) {

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/patch/division.h"
+#include "core/patch/cover.h"
 
 namespace patchmill {
 
@@ -41,7 +41,8 @@ inline SurfacePoint table1_point(double x, double y) {
 }
 
 inline Dimples table1_dimples(int side, int patches_x, int patches_y, double spacing = 0.5) {
-  const SquareDivision division{spacing, side, patches_x, patches_y, HelixOrder::Inward};
+  const PatchDivision division =
+      patch_block({PatchShape::Square, spacing, side}, patches_x, patches_y);
   Dimples dimples = lattice_points(division);
   for (Dimple& dimple : dimples) {
     const Vec2 q = place(division, dimple.lattice);

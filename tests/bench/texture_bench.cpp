@@ -1,0 +1,115 @@
+// A whole texture, from a face to its ToolPath: a wavy B-spline face of 100 x 100 poles, square patches,
+// constant feed. Before it OpenCASCADE's intersector on the same face, as the peer: what a texture would
+// take that only projected its dimples with it. Items are dimples. Counters: the share of each stage in
+// per cent, and `peak_MiB`, the most memory that the process had up to then.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "brep/face_sampler.h"
+#include "brep/faces.h"
+#include "core/patch/boundary.h"
+#include "core/patch/cover.h"
+#include "core/patch/patch_surface.h"
+#include "core/sync/constant_feed.h"
+#include "core/sync/contact_azimuth.h"
+
+#include <chrono>
+#include <sys/resource.h>
+
+#include <IntCurvesFace_ShapeIntersector.hxx>
+#include <benchmark/benchmark.h>
+#include <gp_Lin.hxx>
+#include <tbb/global_control.h>
+
+namespace patchmill {
+namespace {
+
+constexpr int kPoles = 100;
+constexpr double kSpacing = 0.5;
+
+double side_for(std::int64_t dimples) {
+  return kSpacing * std::sqrt(double(dimples));
+}
+
+double peak_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) / 1024.0;
+}
+
+void occt_projection_alone(benchmark::State& state) {
+  const double size = side_for(1000000);
+  IntCurvesFace_ShapeIntersector peer;
+  peer.Load(wavy_face(size, kPoles), 1e-9);
+  constexpr int kSide = 20;
+  for (auto _ : state)
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const double x = (i % kSide + 0.5) / kSide - 0.5, y = (i / kSide + 0.5) / kSide - 0.5;
+      peer.PerformNearest(gp_Lin(gp_Pnt(x * size, y * size, size), gp_Dir(0, 0, -1)), 0, 2 * size);
+      benchmark::DoNotOptimize(peer.NbPnt());
+    }
+  state.SetItemsProcessed(state.iterations() * kSide * kSide);
+}
+BENCHMARK(occt_projection_alone)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+struct Stopwatch {
+  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last).count();
+    last = now;
+    return seconds;
+  }
+};
+
+// {preparing the face, projecting, limits, path} [s]
+std::array<double, 4> face_to_path(const TopoDS_Face& face, double size,
+                                   std::int64_t& dimples_made) {
+  const TexturePlane plane;
+  std::array<double, 4> seconds{};
+  Stopwatch watch;
+  const FaceSampler sampler({face}, plane, Angle::degrees(80));
+  seconds[0] = watch.lap();
+  const Vec2 half = Vec2::Constant(0.5 * size);
+  const PatchDivision division = cover({PatchShape::Square, kSpacing, 14}, Box2(-half, half));
+  const SurfaceSampler sample = [&](const std::vector<Vec2>& places) {
+    return sampler.sample(places);
+  };
+  Dimples dimples = *sample_patches(division, plane, sample, {});
+  seconds[1] = watch.lap();
+  mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
+  drop_slivers(dimples, 10);
+  seconds[2] = watch.lap();
+  PhaseRule rule{FluteChoice::Same, 5.0, {}};
+  const ToolPath path = constant_feed_path(dimples, {1.0, 2}, {1000.0 / 60.0, SpindleSense::M3},
+                                           {434.413 / 60.0, rule, size, size + 1.0}, Decimals(3));
+  benchmark::DoNotOptimize(path.moves.data());
+  seconds[3] = watch.lap();
+  dimples_made = count_states(dimples)[0];
+  return seconds;
+}
+
+void texture(benchmark::State& state) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    std::size_t(state.range(1)));
+  const double size = side_for(state.range(0));
+  const TopoDS_Face face = wavy_face(size, kPoles);
+  std::array<double, 4> sums{};
+  std::int64_t dimples = 0;
+  for (auto _ : state) {
+    const auto seconds = face_to_path(face, size, dimples);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += seconds[i];
+  }
+  state.SetItemsProcessed(state.iterations() * dimples);
+  const double all = sums[0] + sums[1] + sums[2] + sums[3];
+  const char* names[] = {"prepare_%", "project_%", "limits_%", "path_%"};
+  for (std::size_t i = 0; i < sums.size(); ++i) state.counters[names[i]] = 100.0 * sums[i] / all;
+  state.counters["peak_MiB"] = peak_mib();
+}
+BENCHMARK(texture)
+    ->ArgNames({"dimples", "threads"})
+    ->ArgsProduct({{10000, 100000, 1000000}, {2}})
+    ->Args({1000000, 1})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace patchmill
