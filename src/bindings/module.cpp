@@ -69,4 +69,6 @@ PYBIND11_MODULE(_patchmill, m) {
   patchmill::bind_scene(m);
   patchmill::bind_dcm(m);
   patchmill::bind_dcm_path(m);
+  patchmill::bind_marks(m);
+  patchmill::bind_checks(m);
 }

@@ -5,21 +5,19 @@
 #include "core/geometry/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <queue>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 namespace patchmill {
 namespace {
 
-/// How near a part of the tool comes to the part: a place, and the distance there.
-struct Nearest {
-  double distance = std::numeric_limits<double>::infinity();
-  Vec3 place = Vec3::Zero();
-};
+using Nearest = SectionDistance;
 
 /// A box of a frustum in height, distance from the axis (share of the radius) and azimuth.
 struct FrustumCell {
@@ -134,9 +132,9 @@ struct Swing {
 
 class Checker {
  public:
-  Checker(const ToolPath& path, const PartDistance& distance, const ClearanceOptions& options,
+  Checker(const ToolPath& path, const PartShape& part, const ClearanceOptions& options,
           ClearanceReport& report)
-      : path_(path), distance_(distance), options_(options), report_(report) {}
+      : path_(path), part_(part), options_(options), report_(report) {}
 
   /// Walks a move; `nearest(pose, enough)` gives the distance that is allowed to fall to
   /// -`allowed`.
@@ -173,15 +171,23 @@ class Checker {
     walk(number, swing, ToolPart::Ball, r, options_.tolerance,
          [&](const ToolPose& pose, double, double) {
            const Vec3 centre = ball_centre(pose, r);
-           const double d = distance_(centre);
+           const double d = part_.distance(centre);
            return Nearest{d - r, d - r < -options_.tolerance ? foot(centre, d) : centre};
          });
   }
 
   void section(std::int64_t number, const Swing& swing, const ToolSection& piece) {
     const double reach = std::hypot(piece.to, std::max(piece.radius_from, piece.radius_to));
-    FrustumSearch search(piece, distance_, 0.5 * options_.resolution);
-    walk(number, swing, piece.part, reach, -options_.clearance,
+    const double allowed = piece.part == ToolPart::Flute ? options_.tolerance : -options_.clearance;
+    if (part_.section) {
+      walk(number, swing, piece.part, reach, allowed,
+           [&](const ToolPose& pose, double, double enough) {
+             return part_.section(piece, pose, enough);
+           });
+      return;
+    }
+    FrustumSearch search(piece, part_.distance, 0.5 * options_.resolution);
+    walk(number, swing, piece.part, reach, allowed,
          [&](const ToolPose& pose, double limit, double enough) {
            return search.find(pose, limit, enough);
          });
@@ -193,7 +199,8 @@ class Checker {
     const double h = 1e-4;
     Vec3 gradient;
     for (int k = 0; k < 3; ++k)
-      gradient[k] = distance_(from + h * Vec3::Unit(k)) - distance_(from - h * Vec3::Unit(k));
+      gradient[k] =
+          part_.distance(from + h * Vec3::Unit(k)) - part_.distance(from - h * Vec3::Unit(k));
     return gradient.norm() > 0.0 ? Vec3(from - d * gradient.normalized()) : from;
   }
 
@@ -203,7 +210,7 @@ class Checker {
   }
 
   const ToolPath& path_;
-  const PartDistance& distance_;
+  const PartShape& part_;
   const ClearanceOptions& options_;
   ClearanceReport& report_;
 };
@@ -222,12 +229,26 @@ void require_valid(const ToolPath& path, const std::vector<ToolSection>& section
                        "a section goes upward and has radii of at least 0.");
 }
 
+void check_moves(const ToolPath& path, const std::vector<ToolSection>& sections,
+                 const PartShape& part, const ClearanceOptions& options, std::size_t from,
+                 std::size_t to, ClearanceReport& report) {
+  Checker checker(path, part, options, report);
+  for (std::size_t i = from; i < to && report.findings.size() < options.most_findings; ++i) {
+    const Swing swing(i > 0 ? path.moves[i - 1].end : path.start, path.moves[i].end);
+    const auto number = static_cast<std::int64_t>(i);
+    checker.ball(number, swing);
+    for (const ToolSection& piece : sections) checker.section(number, swing, piece);
+  }
+}
+
 }  // namespace
 
 const char* name(ToolPart part) {
   switch (part) {
     case ToolPart::Ball:
       return "ball";
+    case ToolPart::Flute:
+      return "flute";
     case ToolPart::Shank:
       return "shank";
     default:
@@ -236,26 +257,33 @@ const char* name(ToolPart part) {
 }
 
 ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSection>& sections,
-                                const PartDistance& distance, const ClearanceOptions& options,
+                                const PartShape& part, const ClearanceOptions& options,
                                 const Progress& progress) {
   require_valid(path, sections, options);
   ClearanceReport report;
-  if (!distance) {
+  if (!part.distance) {
     report.reason = "There is no shape of the part to measure distances from.";
     return report;
   }
-  Checker checker(path, distance, options, report);
-  ToolPose from = path.start;
+  constexpr std::size_t kBlock = 64, kRound = 16;  // moves checked by one thread, blocks in a round
+  const std::size_t count = path.moves.size();
   bool stopped = false;
-  for (std::size_t i = 0; i < path.moves.size() && !stopped; ++i) {
-    const Swing swing(from, path.moves[i].end);
-    const auto number = static_cast<std::int64_t>(i);
-    checker.ball(number, swing);
-    for (const ToolSection& piece : sections) checker.section(number, swing, piece);
-    from = path.moves[i].end;
-    const double share = static_cast<double>(i + 1) / static_cast<double>(path.moves.size());
+  for (std::size_t begin = 0; begin < count && !stopped; begin += kBlock * kRound) {
+    std::array<ClearanceReport, kRound> blocks;
+    tbb::parallel_for(std::size_t{0}, kRound, [&](std::size_t k) {
+      const std::size_t from = begin + k * kBlock;
+      check_moves(path, sections, part, options, from, std::min(from + kBlock, count), blocks[k]);
+    });
+    for (const ClearanceReport& block : blocks) {
+      report.findings.insert(report.findings.end(), block.findings.begin(), block.findings.end());
+      report.unknown_moves += block.unknown_moves;
+      if (report.reason.empty()) report.reason = block.reason;
+    }
+    const double share =
+        static_cast<double>(std::min(begin + kBlock * kRound, count)) / static_cast<double>(count);
     stopped = report.findings.size() >= options.most_findings || !go_on(progress, share);
   }
+  if (report.findings.size() > options.most_findings) report.findings.resize(options.most_findings);
   if (!report.findings.empty())
     report.outcome = ClearanceOutcome::Violated;
   else if (!stopped && report.unknown_moves == 0)

@@ -9,16 +9,22 @@
 #include "core/path/tool_path.h"
 
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace patchmill {
 
 /// Signed distance [mm] of a place from the part as it is to be: positive outside, negative inside.
-/// Must not change faster than the place does. NaN: not known there. May be called from one thread
-/// only.
+/// Must not change faster than the place does. NaN: not known there. Is called from several
+/// threads at once.
 using PartDistance = std::function<double(const Vec3&)>;
 
-enum class ToolPart : std::uint8_t { Ball, Shank, Holder };
+enum class ToolPart : std::uint8_t {
+  Ball,
+  Flute,  ///< the cutting cylinder above the ball: cuts as the ball does
+  Shank,
+  Holder
+};
 const char* name(ToolPart part);
 
 /// A piece of the tool above the ball: a frustum about the tool axis.
@@ -28,8 +34,26 @@ struct ToolSection {
   double radius_from = 0.0, radius_to = 0.0;  ///< [mm], >= 0
 };
 
+/// How near a section comes to the part, negative by how deep the part reaches into it, and where [mm].
+struct SectionDistance {
+  double distance = std::numeric_limits<double>::infinity();
+  Vec3 place = Vec3::Zero();
+};
+
+/// The part to check against.
+struct PartShape {
+  PartDistance distance;
+  /// Distance of a section at a pose; where it is above `enough`, anything from there to it will do. Empty:
+  /// the section is searched by `distance`, which takes long where flat meets flat.
+  std::function<SectionDistance(const ToolSection&, const ToolPose&, double enough)> section;
+
+  PartShape() = default;
+  template <class Distance>
+  PartShape(Distance known) : distance(std::move(known)) {}  // NOLINT: a distance is a shape
+};
+
 struct ClearanceOptions {
-  double tolerance = 0.002;  ///< the ball may go so deep below the part's surface [mm]
+  double tolerance = 0.002;  ///< ball and flutes may go so deep below the part's surface [mm]
   double clearance = 0.1;    ///< shank and holder must keep so far away from it [mm]
   double resolution =
       0.001;  ///< what is deeper than allowed by more than this is surely found [mm]
@@ -40,7 +64,7 @@ struct ClearanceFinding {
   ToolPart part = ToolPart::Ball;
   std::int64_t move = 0;      ///< number of the move in the path
   double share = 0.0;         ///< of the move, 0 .. 1, where it is worst
-  Vec3 place = Vec3::Zero();  ///< on the part (ball) or of the section (others) [mm]
+  Vec3 place = Vec3::Zero();  ///< on the part, or of the section if only a distance is known [mm]
   double depth =
       0.0;  ///< by which the allowed distance is fallen short of [mm], > 0; within a tenth
 };
@@ -59,10 +83,10 @@ struct ClearanceReport {
 };
 
 /// Checks every move from its start to its end on a straight line of the tip, the axis turning
-/// evenly. `distance` empty: Unknown. Errors: InputError naming BallRadius, Tolerance, Clearance,
+/// evenly. A part without a distance: Unknown. Errors: InputError naming BallRadius, Tolerance, Clearance,
 /// Resolution, or ToolSection (from >= to, negative radius).
 ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSection>& sections,
-                                const PartDistance& distance, const ClearanceOptions& options = {},
+                                const PartShape& part, const ClearanceOptions& options = {},
                                 const Progress& progress = {});
 
 }  // namespace patchmill

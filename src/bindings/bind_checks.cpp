@@ -1,0 +1,159 @@
+// Gouge and collision checks for Python: the part as closed meshes, the tool as sections.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/bindings.h"
+#include "brep/read_shape.h"
+#include "brep/tessellate.h"
+#include "core/geometry/error.h"
+#include "core/marks/clearance.h"
+#include "core/marks/mesh_distance.h"
+
+#include <algorithm>
+
+#include <TopExp_Explorer.hxx>
+
+namespace patchmill {
+namespace {
+
+/// The solids of the job's models. Not known if one of them could not be meshed.
+struct PartModel {
+  PartShape shape;
+  bool known = false;
+  std::string reason;
+  std::int64_t triangles = 0;
+};
+
+PartModel part_model(const std::vector<std::string>& breps, double deflection) {
+  PartModel part;
+  std::vector<PartShape> solids;
+  const auto add = [&](const TopoDS_Shape& shape) {
+    const Tessellation made = tessellate(shape, {deflection, Angle::degrees(20)});
+    part.triangles += static_cast<std::int64_t>(made.mesh.triangles.size());
+    if (made.closed)
+      solids.push_back(shape_from_mesh(made.mesh));
+    else if (part.reason.empty())
+      part.reason = made.reason;
+  };
+  for (const std::string& brep : breps) {
+    const TopoDS_Shape shape = read_shape(brep, "Model");
+    TopExp_Explorer solid(shape, TopAbs_SOLID);
+    if (!solid.More()) add(shape);
+    for (; solid.More(); solid.Next()) add(solid.Current());
+  }
+  if (solids.empty() && part.reason.empty()) part.reason = "There is no part.";
+  part.known = part.reason.empty();
+  if (part.known) part.shape = join(std::move(solids));
+  return part;
+}
+
+using SectionTuple = std::tuple<std::string, double, double, double, double>;
+
+std::vector<ToolSection> sections_of(const std::vector<SectionTuple>& tuples) {
+  std::vector<ToolSection> sections;
+  for (const auto& [part, from, to, radius_from, radius_to] : tuples) {
+    ToolSection section{ToolPart::Shank, from, to, radius_from, radius_to};
+    if (part == "flute")
+      section.part = ToolPart::Flute;
+    else if (part == "holder")
+      section.part = ToolPart::Holder;
+    else if (part != "shank")
+      throw InputError("ToolSection", "'" + part + "'", "give flute, shank or holder.");
+    sections.push_back(section);
+  }
+  return sections;
+}
+
+const char* name(ClearanceOutcome outcome) {
+  switch (outcome) {
+    case ClearanceOutcome::Clear:
+      return "clear";
+    case ClearanceOutcome::Violated:
+      return "violated";
+    default:
+      return "unknown";
+  }
+}
+
+py::dict check(const ToolPath& path, const std::vector<SectionTuple>& tuples, const PartModel& part,
+               double tolerance, double clearance, double resolution, std::size_t most_findings,
+               const py::object& progress) {
+  const std::vector<ToolSection> sections = sections_of(tuples);
+  const Progress say = progress_of(progress);
+  ClearanceReport report;
+  {
+    const py::gil_scoped_release release;
+    report = check_clearance(path, sections, part.shape,
+                             {tolerance, clearance, resolution, most_findings}, say);
+  }
+  if (!part.known) report.reason = part.reason;
+  const auto& f = report.findings;
+  py::dict d;
+  d["outcome"] = name(report.outcome);
+  d["reason"] = report.reason;
+  d["unknown_moves"] = report.unknown_moves;
+  std::vector<std::string> parts;
+  for (const ClearanceFinding& finding : f) parts.emplace_back(name(finding.part));
+  d["parts"] = parts;
+  d["moves"] = column_of<std::int64_t>(f, [](const ClearanceFinding& v) { return v.move; });
+  d["places"] = rows_of(f, [](const ClearanceFinding& v) { return v.place; });
+  d["depths"] = column_of<double>(f, [](const ClearanceFinding& v) { return v.depth; });
+  return d;
+}
+
+}  // namespace
+
+void bind_checks(py::module_& m) {
+  py::class_<Tessellation>(m, "Tessellation", "A shape as triangles.")
+      .def_readonly("closed", &Tessellation::closed)
+      .def_readonly("reason", &Tessellation::reason, "Why it is no closed solid.")
+      .def_property_readonly(
+          "vertices",
+          [](const Tessellation& t) {
+            return rows_of(t.mesh.vertices, [](const Vec3& v) { return v; });
+          },
+          "[mm], (n, 3).")
+      .def_property_readonly(
+          "triangles",
+          [](const Tessellation& t) {
+            py::array_t<std::int32_t> array({t.mesh.triangles.size(), std::size_t{3}});
+            auto out = array.mutable_unchecked<2>();
+            for (std::size_t i = 0; i < t.mesh.triangles.size(); ++i)
+              for (std::size_t k = 0; k < 3; ++k)
+                out(py::ssize_t(i), py::ssize_t(k)) = t.mesh.triangles[i][k];
+            return array;
+          },
+          "Indices into vertices, (m, 3).");
+  m.def(
+      "tessellate",
+      [](const std::string& brep, double deflection, double angle) {
+        return tessellate(read_shape(brep, "Shape"), {deflection, Angle::radians(angle)});
+      },
+      py::arg("brep"), py::arg("deflection"), py::arg("angle") = 0.35,
+      py::call_guard<py::gil_scoped_release>(),
+      "A shape, given as BREP text, as one mesh; `deflection` [mm], `angle` [rad].");
+  py::class_<PartModel>(m, "PartModel",
+                        "The part as closed meshes; known is False if it could not be.")
+      .def_readonly("known", &PartModel::known)
+      .def_readonly("reason", &PartModel::reason)
+      .def_readonly("triangles", &PartModel::triangles)
+      .def(
+          "distances",
+          [](const PartModel& part, const Eigen::Matrix<double, -1, 3>& points) {
+            if (!part.known) throw InputError("Part", "unknown", part.reason);
+            Eigen::VectorXd out(points.rows());
+            for (Eigen::Index i = 0; i < points.rows(); ++i)
+              out[i] = part.shape.distance(points.row(i));
+            return out;
+          },
+          py::arg("points"), py::call_guard<py::gil_scoped_release>(),
+          "Signed distances [mm] of (n, 3) points, positive outside.");
+  m.def("part_model", &part_model, py::arg("breps"), py::arg("deflection"),
+        py::call_guard<py::gil_scoped_release>(),
+        "Meshes the solids of shapes given as BREP texts.");
+  m.def("check_clearance", &check, py::arg("path"), py::arg("sections"), py::arg("part"),
+        py::arg("tolerance"), py::arg("clearance"), py::arg("resolution"),
+        py::arg("most_findings") = 1000, py::arg("progress") = py::none(),
+        "Gouges and collisions of a path: outcome 'clear', 'violated' or 'unknown', and arrays. "
+        "`sections`: (part, from, to, radius_from, radius_to) above the tip [mm].");
+}
+
+}  // namespace patchmill

@@ -1,0 +1,234 @@
+// The cutter-mark simulator for Python: motions, reliefs, the dimples found. Angles in radians.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/bindings.h"
+#include "brep/face_sampler.h"
+#include "core/geometry/error.h"
+#include "core/marks/alignment.h"
+#include "core/marks/machine_motion.h"
+#include "core/marks/texture_marks.h"
+#include "core/sync/phase_rule.h"
+
+namespace patchmill {
+namespace {
+
+using Rows2 = Eigen::Matrix<double, -1, 2>;
+using Rows3 = Eigen::Matrix<double, -1, 3>;
+
+template <class Items, class Get>
+py::array_t<double> pairs_of(const Items& items, Get get) {
+  py::array_t<double> array({static_cast<py::ssize_t>(items.size()), py::ssize_t{2}});
+  auto out = array.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < out.shape(0); ++i) {
+    const Vec2 v = get(items[static_cast<std::size_t>(i)]);
+    out(i, 0) = v.x();
+    out(i, 1) = v.y();
+  }
+  return array;
+}
+
+ToolMotion motion_of_path(const ToolPath& path, const Dimples& dimples, const PhaseRule& rule,
+                          std::optional<double> start_phase) {
+  MotionOptions options;
+  if (start_phase)
+    options.start_phase = Angle::radians(*start_phase);
+  else
+    options.wanted_phase = wanted_phases(dimples, rule, path.spindle);
+  return motion_of(path, options);
+}
+
+ToolMotion motion_of_samples(const Eigen::VectorXd& time, const Rows3& tips,
+                             const Eigen::VectorXd& angle, const Spindle& spindle, double radius,
+                             const std::optional<Rows3>& axes) {
+  const auto n = time.size();
+  if (tips.rows() != n || angle.size() != n || (axes && axes->rows() != n))
+    throw InputError("Samples", "arrays of different length", "give one row for each moment.");
+  std::vector<MotionSample> samples(static_cast<std::size_t>(n));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    MotionSample& sample = samples[static_cast<std::size_t>(i)];
+    sample.time = time[i];
+    sample.tip = tips.row(i);
+    sample.spindle_angle = angle[i];
+    if (axes) sample.axis = Vec3(axes->row(i)).normalized();
+  }
+  return motion_of(samples, spindle.sense, radius);
+}
+
+/// What the heights are measured from: faces, the planes of patches, or the texture plane (None).
+BaseMaker base_maker(const py::object& base, const TexturePlane& plane, double reach) {
+  if (base.is_none()) return {};
+  if (py::isinstance<Dimples>(base))
+    return base_of_patches(base.cast<const Dimples&>(), plane, reach);
+  const FaceSampler* sampler = base.cast<const FaceSampler*>();  // outlives the call
+  return base_on([sampler](const std::vector<Vec2>& places) { return sampler->sample(places); });
+}
+
+TextureMarks simulate(const ToolMotion& motion, const BallEndMill& tool, const TexturePlane& plane,
+                      const Vec2& low, const Vec2& high, double step, double stock,
+                      const py::object& base, double reach, double helix,
+                      const std::vector<double>& runout, double least_depth, double halo,
+                      double memory_limit, const py::object& progress) {
+  const Progress report = progress_of(progress);
+  const BaseMaker maker = base_maker(base, plane, reach);
+  TextureMarkOptions options;
+  options.marks = {stock, memory_limit};
+  options.find.least_depth = least_depth;
+  options.halo = halo;
+  const py::gil_scoped_release release;
+  return simulate_texture(motion, {tool, Angle::radians(helix), runout},
+                          flat_grid(plane, low, high, step), maker, options, report);
+}
+
+/// Every `stride`-th cell of a block of the grid as points on the relief.
+py::tuple surface(const TextureMarks& marks, const py::object& base, double reach, int row,
+                  int rows, int column, int columns, int stride) {
+  const SurfaceGrid& grid = marks.grid;
+  if (stride < 1 || row < 0 || column < 0 || rows < 1 || columns < 1 || row + rows > grid.rows ||
+      column + columns > grid.columns)
+    throw InputError("Block", "outside the relief", "give rows and columns of the relief.");
+  SurfaceGrid block;
+  block.plane = grid.plane;
+  block.first = grid.plane_point(column, row);
+  block.step = grid.step * stride;
+  block.columns = (columns - 1) / stride + 1;
+  block.rows = (rows - 1) / stride + 1;
+  const BaseMaker maker = base_maker(base, grid.plane, reach);
+  py::array_t<double> points({block.rows, block.columns, 3});
+  py::array_t<float> heights({block.rows, block.columns});
+  auto p = points.mutable_unchecked<3>();
+  auto h = heights.mutable_unchecked<2>();
+  const py::gil_scoped_release release;
+  if (maker) block = maker(std::move(block));
+  for (int j = 0; j < block.rows; ++j)
+    for (int i = 0; i < block.columns; ++i) {
+      h(j, i) =
+          marks
+              .height[static_cast<std::size_t>(grid.number(column + i * stride, row + j * stride))];
+      const Vec3 at = base_point(block, i, j) + h(j, i) * base_normal(block, i, j);
+      for (int k = 0; k < 3; ++k) p(j, i, k) = at[k];
+    }
+  const py::gil_scoped_acquire acquire;
+  return py::make_tuple(points, heights);
+}
+
+py::dict compare_dict(const TextureMarks& marks, const Dimples& dimples, const Vec2& low,
+                      const Vec2& high, double spacing) {
+  WindowComparison window;
+  {
+    const py::gil_scoped_release release;
+    window = compare_window(marks.dimples, planned_places(dimples, marks.grid.plane), low, high,
+                            spacing);
+  }
+  const PlanComparison& c = window.comparison;
+  py::dict d;
+  d["dimple"] = column_of<std::int32_t>(c.matches, [](const PlanMatch& m) { return m.dimple; });
+  d["found"] = column_of<std::int32_t>(c.matches, [](const PlanMatch& m) { return m.found; });
+  d["moved"] = pairs_of(c.matches, [](const PlanMatch& m) { return m.moved; });
+  d["extra"] = column_of<std::int32_t>(c.extra, [](std::int32_t k) { return k; });
+  const auto& f = window.found;
+  d["places"] = pairs_of(f, [](const DimpleMark& m) { return m.place; });
+  d["points"] = rows_of(f, [](const DimpleMark& m) { return m.point; });
+  d["bottoms"] = column_of<double>(f, [](const DimpleMark& m) { return m.bottom; });
+  d["depths"] = column_of<double>(f, [](const DimpleMark& m) { return m.depth; });
+  d["diameters"] = column_of<double>(f, [](const DimpleMark& m) { return m.diameter; });
+  d["at_edge"] = column_of<bool>(f, [](const DimpleMark& m) { return m.at_edge; });
+  d["mean_spacing"] = mean_spacing(f);
+  d["missing"] = c.missing;
+  d["mean_move"] = c.mean_move;
+  d["rms_move"] = c.rms_move;
+  d["largest_move"] = c.largest_move;
+  d["mean_depth"] = c.mean_depth;
+  d["depth_deviation"] = c.depth_deviation;
+  d["quality"] = c.quality;
+  return d;
+}
+
+py::dict alignment_dict(const Rows2& places, const Vec2& feed, double feed_per_tooth,
+                        double cross_feed) {
+  std::vector<Vec2> list;
+  for (Eigen::Index i = 0; i < places.rows(); ++i) list.emplace_back(places.row(i));
+  const AlignmentResult result =
+      classify_alignment(list, {feed.normalized(), feed_per_tooth, cross_feed});
+  py::dict d;
+  d["state"] = name(result.state);
+  d["shift"] = result.shift;
+  d["agreement"] = result.agreement;
+  d["row_agreement"] = result.row_agreement;
+  d["rows"] = result.rows.size();
+  return d;
+}
+
+void bind_motion(py::module_& m) {
+  py::class_<ToolMotion>(m, "ToolMotion", "Where the ball is at every spindle angle.")
+      .def_property_readonly("runs", [](const ToolMotion& v) { return v.runs.size(); })
+      .def_readonly("untimed_moves", &ToolMotion::untimed_moves)
+      .def_readonly("standing_moves", &ToolMotion::standing_moves);
+  m.def(
+      "motion_of_path", &motion_of_path, py::arg("path"), py::arg("dimples"), py::arg("rule"),
+      py::arg("start_phase") = py::none(),
+      "The motion of a path; `start_phase` [rad] of flute 0, or None: right at the first dimple of "
+      "every run.");
+  m.def("motion_of_samples", &motion_of_samples, py::arg("time"), py::arg("tips"),
+        py::arg("spindle_angle"), py::arg("spindle"), py::arg("radius"),
+        py::arg("axes") = py::none(),
+        "The motion of a recording: [s], (n, 3) [mm], azimuth of flute 0 [rad] unwrapped.");
+  m.def(
+      "path_on_machine",
+      [](const ToolPath& path, const MotionModel& model) {
+        MachinePath made = path_on_machine(path, model);
+        return py::make_tuple(made.known, made.reason, std::move(made.path));
+      },
+      py::arg("path"), py::arg("model"),
+      "(known, reason why not, the path with the turns that the motion model predicts).");
+  m.def(
+      "best_start_phase",
+      [](const ToolPath& path, const Dimples& dimples, const PhaseRule& rule) {
+        return best_start_phase(path, wanted_phases(dimples, rule, path.spindle),
+                                phase_period(path.tool.flutes, rule.flutes))
+            .radians();
+      },
+      py::arg("path"), py::arg("dimples"), py::arg("rule"),
+      "Azimuth of flute 0 at the start [rad] that takes the mean phase error away.");
+}
+
+}  // namespace
+
+void bind_marks(py::module_& m) {
+  bind_motion(m);
+  py::class_<TextureMarks>(m, "TextureMarks",
+                           "The relief of a texture and the dimples found in it.")
+      .def_property_readonly(
+          "heights",
+          [](py::object self) {
+            const auto& marks = self.cast<const TextureMarks&>();
+            return py::array_t<float>({marks.grid.rows, marks.grid.columns}, marks.height.data(),
+                                      self);
+          },
+          "Deviation from the base along its normal [mm], (rows, columns); NaN: no base.")
+      .def_property_readonly(
+          "first", [](const TextureMarks& v) { return v.grid.first; },
+          "Plane coordinates of cell [0, 0] [mm].")
+      .def_property_readonly("step", [](const TextureMarks& v) { return v.grid.step; })
+      .def_readonly("stock", &TextureMarks::stock)
+      .def_readonly("complete", &TextureMarks::complete)
+      .def_property_readonly("passes", [](const TextureMarks& v) { return v.statistics.passes; })
+      .def_property_readonly("evaluations",
+                             [](const TextureMarks& v) { return v.statistics.evaluations; })
+      .def("surface", &surface, py::arg("base"), py::arg("reach"), py::arg("row"), py::arg("rows"),
+           py::arg("column"), py::arg("columns"), py::arg("stride"),
+           "(points (r, c, 3) [mm], heights (r, c)) of a block, every `stride`-th cell.");
+  m.def("simulate_texture", &simulate, py::arg("motion"), py::arg("tool"), py::arg("plane"),
+        py::arg("low"), py::arg("high"), py::arg("step"), py::arg("stock"),
+        py::arg("base") = py::none(), py::arg("reach") = 1.0, py::arg("helix") = 0.0,
+        py::arg("runout") = std::vector<double>{}, py::arg("least_depth") = 0.002,
+        py::arg("halo") = 1.0, py::arg("memory_limit") = 4e9, py::arg("progress") = py::none(),
+        "The relief over `low` to `high` of the plane [mm] and its dimples; `base`: a FaceSampler, "
+        "Dimples (the planes of patches), or None (the plane).");
+  m.def("compare_window", &compare_dict, py::arg("marks"), py::arg("dimples"), py::arg("low"),
+        py::arg("high"), py::arg("spacing"),
+        "The dimples of a window and how they compare with the plan: arrays and figures.");
+  m.def("classify_alignment", &alignment_dict, py::arg("places"), py::arg("feed"),
+        py::arg("feed_per_tooth"), py::arg("cross_feed"),
+        "How marks line up along rows: state, shift, agreement.");
+}
+
+}  // namespace patchmill
