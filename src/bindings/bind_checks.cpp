@@ -75,14 +75,14 @@ const char* name(ClearanceOutcome outcome) {
 
 py::dict check(const ToolPath& path, const std::vector<SectionTuple>& tuples, const PartModel& part,
                double tolerance, double clearance, double resolution, std::size_t most_findings,
-               const py::object& progress) {
+               std::size_t first_move, const py::object& progress) {
   const std::vector<ToolSection> sections = sections_of(tuples);
   const Progress say = progress_of(progress);
   ClearanceReport report;
   {
     const py::gil_scoped_release release;
     report = check_clearance(path, sections, part.shape,
-                             {tolerance, clearance, resolution, most_findings}, say);
+                             {tolerance, clearance, resolution, most_findings, first_move}, say);
   }
   if (!part.known) report.reason = part.reason;
   const auto& f = report.findings;
@@ -151,7 +151,8 @@ void bind_checks(py::module_& m) {
         "Meshes the solids of shapes given as BREP texts.");
   m.def("check_clearance", &check, py::arg("path"), py::arg("sections"), py::arg("part"),
         py::arg("tolerance"), py::arg("clearance"), py::arg("resolution"),
-        py::arg("most_findings") = 1000, py::arg("progress") = py::none(),
+        py::arg("most_findings") = 1000, py::arg("first_move") = 0,
+        py::arg("progress") = py::none(),
         "Gouges and collisions of a path: outcome 'clear', 'violated' or 'unknown', and arrays. "
         "`sections`: (part, from, to, radius_from, radius_to) above the tip [mm].");
 }

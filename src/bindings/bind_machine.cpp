@@ -17,6 +17,8 @@ void bind_machine(py::module_& m) {
   py::class_<ProgramSection>(m, "ProgramSection", "One tool, spindle speed and sense of a program.")
       .def_readonly("tool_number", &ProgramSection::tool_number)
       .def_readonly("path", &ProgramSection::path)
+      .def_readonly("unplaced", &ProgramSection::unplaced,
+                    "Moves at the beginning that start nobody knows where.")
       .def_readonly("lines", &ProgramSection::lines);
   m.def(
       "read_gcode",

@@ -132,6 +132,9 @@ void bind_division(py::module_& m) {
   py::class_<PatchSurface>(m, "PatchSurface", "Planar, pyramid or curved patches.")
       .def(py::init(&surface_of), py::arg("kind"), py::arg("fit") = "Best fit",
            py::arg("height_factor") = 1.0, py::arg("apex_lift") = 0.0)
+      .def_property_readonly(
+          "planar", [](const PatchSurface& s) { return s.kind != SurfaceKind::Curved; },
+          "Whether patches are made of planes.")
       .def("__eq__", [](const PatchSurface& a, const PatchSurface& b) {
         return a.kind == b.kind && a.fit == b.fit && a.height_factor == b.height_factor &&
                a.apex_lift == b.apex_lift;

@@ -28,6 +28,8 @@ _LAZY = {
     "planned": ("patchmill.texture_operation", "planned"),
     "recompute": ("patchmill.texture_operation", "recompute"),
     "post": ("patchmill.posting", "post"),
+    "simulate": ("patchmill.simulation", "simulate"),
+    "check": ("patchmill.checks", "check"),
     "write_report": ("patchmill.report", "write_report"),
 }
 

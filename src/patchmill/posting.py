@@ -13,7 +13,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import host, strategies
+from patchmill import checks, host, strategies
 from patchmill.texture_operation import ObjectTexture, planned
 
 
@@ -25,6 +25,8 @@ class PostedTexture:
     path: core.ToolPath
     match: core.PlanMatch
     errors: dict  # of _patchmill.phase_errors
+    unplaced: int = 0  # moves at the beginning of the path that start nobody knows where
+    check: checks.CheckResult = None  # of gouge and collision
 
 
 def post(job, filename, post_name=None, arguments=None):
@@ -32,7 +34,8 @@ def post(job, filename, post_name=None, arguments=None):
 
     `post_name` and `arguments` default to the job's own. The text is read back, compared with the plan
     and its phase measured; only then does the file appear, whole. Raises InputError, leaving no file and
-    an existing one untouched, if an operation is invalid or the text does not hold the plan."""
+    an existing one untouched, if an operation is invalid, if the text does not hold the plan, or if the
+    tool would gouge or collide (docs/checks.md)."""
     post_name = post_name or job.PostProcessor
     arguments = job.PostProcessorArgs if arguments is None else arguments
     if not post_name:
@@ -45,6 +48,8 @@ def post(job, filename, post_name=None, arguments=None):
         _check_arguments(post_name, plan, shlex.split(arguments))
     text = _single_text(job, post_name, arguments)
     posted = _read_back(text, textures, plans)
+    for one in posted:
+        one.check = checks.require_clear(one.operation, one.path, one.unplaced)
     _write(filename, text)
     return posted
 
@@ -123,7 +128,7 @@ def _read_back(text, operations, plans):
         else:
             _check_paces(op, plan, section.path)
             errors = plan.predicted_errors()
-            posted.append(PostedTexture(op, section.path, match, errors))
+            posted.append(PostedTexture(op, section.path, match, errors, section.unplaced))
             continue
         largest = math.degrees(errors["largest"])
         if not largest <= op.PhaseTolerance.Value or errors["runs"] != 1:
@@ -133,7 +138,7 @@ def _read_back(text, operations, plans):
                 "the posted text has a phase error of %.4g degrees in %d runs: post more decimals."
                 % (largest, errors["runs"]),
             )
-        posted.append(PostedTexture(op, section.path, match, errors))
+        posted.append(PostedTexture(op, section.path, match, errors, section.unplaced))
     return posted
 
 

@@ -119,19 +119,22 @@ def ridges(profile):
     return np.array(tops, dtype=int)
 
 
-def side_by_side(reliefs, titles, step, origin=(0.0, 0.0), exaggeration=1.0, light=(135.0, 35.0)):
-    """Several shaded reliefs of one grid in a row."""
-    figure = Figure(figsize=(4.0 * len(reliefs), 4.4), dpi=150)
+def side_by_side(reliefs, titles, step, origin=(0.0, 0.0), exaggeration=1.0, light=(135.0, 35.0),
+                 columns=None):
+    """Several shaded reliefs of one grid in a row, or in rows of `columns`."""
+    columns = columns or len(reliefs)
+    rows = -(-len(reliefs) // columns)
+    figure = Figure(figsize=(4.0 * columns, 4.4 * rows), dpi=150)
     FigureCanvasAgg(figure)
     for k, (height, title) in enumerate(zip(reliefs, titles)):
         height, step = _checked(height, step)
-        axes = figure.add_subplot(1, len(reliefs), k + 1)
+        axes = figure.add_subplot(rows, columns, k + 1)
         axes.imshow(_metal(height, step, light, exaggeration), origin="lower",
                     extent=_extent(height, step, origin), interpolation="bilinear")
         axes.set_title(title, fontsize=10)
         axes.set_xlabel("x, mm")
         axes.xaxis.set_major_locator(ticker.MaxNLocator(5))
-        if k == 0:
+        if k % columns == 0:
             axes.set_ylabel("y, mm")
     figure.tight_layout()
     return figure

@@ -12,10 +12,10 @@ import os
 
 import numpy as np
 
-from patchmill import pictures
+from patchmill import pictures, relief_report
 
 
-def report_data(posted, plan, gcode):
+def report_data(posted, plan, gcode, simulated=None):
     """What report.json holds, as a dict. Angles in degrees, lengths in mm, times in seconds."""
     errors = np.degrees(posted.errors["error"])
     statistics = posted.path.statistics()
@@ -56,7 +56,9 @@ def report_data(posted, plan, gcode):
             "at_each_dimple": [round(float(e), 5) for e in errors],
             "dimple_numbers": [int(n) for n in posted.errors["dimple"]],
         },
-        "not_checked": _not_checked(plan),
+        "gouge_and_collision": _check_data(posted.check),
+        "marks": simulated.data() if simulated else None,
+        "not_checked": _not_checked(plan, posted.check),
     }
 
 
@@ -67,10 +69,26 @@ def _drift(errors):
     return 1000.0 * float(np.polyfit(np.arange(len(errors)), errors, 1)[0])
 
 
-def _not_checked(plan):
-    left = ["collision of shank and holder"]
+def _check_data(check):
+    if check is None:
+        return None
+    worst = check.worst
+    return {
+        "outcome": check.outcome,
+        "sentence": check.sentence,
+        "findings": len(check.findings),
+        "worst": worst and {"part": worst.part, "place_mm": worst.place, "depth_mm": worst.depth},
+        "tool_sections_mm": check.sections,
+    }
+
+
+def _not_checked(plan, check):
+    left = []
     if plan.pacing.verdict is None:
-        left.insert(0, "whether the machine keeps the feed: a planner that slows down loses the phase")
+        left.append("whether the machine keeps the feed: a planner that slows down loses the phase")
+    if check is None or check.outcome == "unknown":
+        left.append("gouge, and collision of shank and holder")
+    left.append("clamps, stock that is still there, and rapids that a machine does not run straight")
     return left
 
 
@@ -103,20 +121,31 @@ def _tip_inside(plan, tilts):
     return {"limit_degrees": limit, "count": int((tilts < limit).sum())}
 
 
-def write_report(posted, plan, gcode, folder):
-    """Writes report.json, report.html and the pictures into `folder`; returns their names."""
-    data = report_data(posted, plan, gcode)
+def write_report(posted, plan, gcode, folder, simulated=None):
+    """Writes report.json, report.html and the pictures into `folder`; returns their names. `simulated`: a
+    SimulatedTexture of the posted path (patchmill.simulate), or None."""
+    data = report_data(posted, plan, gcode, simulated)
     names = {
         "dimples": pictures.draw_dimples(plan, os.path.join(folder, "dimples.png")),
         "path": pictures.draw_path(plan, posted.path, os.path.join(folder, "path.png")),
         "phase": pictures.draw_phase_error(posted.errors, os.path.join(folder, "phase-error.png")),
     }
+    captions = {
+        "dimples": "Dimples over the patches, seen along the projection direction, and one patch.",
+        "path": "Tool tip over one patch and its links.",
+        "phase": "Phase error at every dimple, from %s." % data["phase_error_degrees"]["source"],
+    }
+    if simulated:
+        drawn = relief_report.draw(simulated, folder)
+        names.update({k: name for k, (name, _) in drawn.items()})
+        captions.update({k: caption for k, (_, caption) in drawn.items()})
     json_name = os.path.join(folder, "report.json")
     with open(json_name, "w", encoding="utf-8") as file:
         json.dump(data, file, indent=1)
     html_name = os.path.join(folder, "report.html")
     with open(html_name, "w", encoding="utf-8") as file:
-        file.write(_page(data, {k: os.path.basename(v) for k, v in names.items()}))
+        marks = list(simulated.rows()) if simulated else []
+        file.write(_page(data, {k: os.path.basename(v) for k, v in names.items()}, captions, marks))
     return [json_name, html_name] + list(names.values())
 
 
@@ -151,6 +180,8 @@ def _rows(data):
         "largest %.3f°, rms %.3f°" % (phase["largest"], phase["rms"]),
     )
     yield "Drift", "%.5f° per 1000 dimples" % phase["drift_per_1000_dimples"]
+    check = data["gouge_and_collision"]
+    yield "Gouge and collision", check["sentence"] if check else "not checked"
 
 
 _STYLE = """
@@ -161,24 +192,23 @@ img { max-width: 100%; margin: 1em 0 0 } figcaption { color: #555 }
 """
 
 
-def _page(data, images):
-    rows = "\n".join(
-        "<tr><th>%s</th><td>%s</td></tr>" % (html.escape(k), html.escape(v)) for k, v in _rows(data)
+def _table(rows):
+    return "<table>%s</table>" % "\n".join(
+        "<tr><th>%s</th><td>%s</td></tr>" % (html.escape(k), html.escape(v)) for k, v in rows
     )
-    captions = {
-        "dimples": "Dimples over the patches, seen along the projection direction, and one patch.",
-        "path": "Tool tip over one patch and its links.",
-        "phase": "Phase error at every dimple, from %s." % data["phase_error_degrees"]["source"],
-    }
+
+
+def _page(data, images, captions, marks):
     figures = "\n".join(
         '<figure><img src="%s" alt="%s"><figcaption>%s</figcaption></figure>'
-        % (images[k], k, captions[k])
+        % (images[k], k, html.escape(captions[k]))
         for k in captions
     )
+    simulated = "<h2>The texture before it is cut</h2>%s" % _table(marks) if marks else ""
     unchecked = "".join("<li>%s</li>" % html.escape(t) for t in data["not_checked"])
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>%s</title>'
-        "<style>%s</style></head><body><h1>%s</h1>\n<table>%s</table>\n%s\n"
+        "<style>%s</style></head><body><h1>%s</h1>\n%s\n%s\n%s\n"
         "<h2>Not checked</h2><ul>%s</ul></body></html>\n"
-        % (data["program"], _STYLE, data["program"], rows, figures, unchecked)
+        % (data["program"], _STYLE, data["program"], _table(_rows(data)), simulated, figures, unchecked)
     )

@@ -70,8 +70,10 @@ def run(step_file, out_folder, say=print):
     posted = patchmill.post(job, gcode)
     say("saving the document")
     document.saveAs(saved)
+    say("cutting the posted program in the simulator")
+    simulated = patchmill.simulate(operation, path=posted[0].path)
     say("drawing pictures and writing the report")
-    reports = patchmill.write_report(posted[0], plan, gcode, out_folder)
+    reports = patchmill.write_report(posted[0], plan, gcode, out_folder, simulated)
     FreeCAD.closeDocument(document.Name)
     return [gcode, saved] + reports
 

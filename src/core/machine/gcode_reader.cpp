@@ -227,6 +227,7 @@ void Reader::move(const Line& line) {
   const bool timed = was_known && state_.running_speed > 0.0;
   append(end, timed ? turns : kUnknownTurns,
          state_.motion == Motion::Rapid ? MoveKind::Rapid : MoveKind::Cut, line.number);
+  if (!was_known) ++section_.unplaced;
 }
 
 void Reader::dwell(const Line& line) {

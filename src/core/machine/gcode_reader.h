@@ -15,8 +15,9 @@ namespace patchmill {
 /// A stretch of a program with one tool, spindle speed and sense.
 struct ProgramSection {
   int tool_number = 0;
-  ToolPath path;            ///< tool: radius as given, axis +Z; dimple numbers are unset
-  std::vector<long> lines;  ///< line of the text (from 1) that made each move
+  ToolPath path;              ///< tool: radius as given, axis +Z; dimple numbers are unset
+  std::vector<long> lines;    ///< line of the text (from 1) that made each move
+  std::int64_t unplaced = 0;  ///< moves at the beginning that start nobody knows where
 };
 
 struct Program {

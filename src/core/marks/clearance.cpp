@@ -268,7 +268,8 @@ ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSect
   constexpr std::size_t kBlock = 64, kRound = 16;  // moves checked by one thread, blocks in a round
   const std::size_t count = path.moves.size();
   bool stopped = false;
-  for (std::size_t begin = 0; begin < count && !stopped; begin += kBlock * kRound) {
+  for (std::size_t begin = options.first_move; begin < count && !stopped;
+       begin += kBlock * kRound) {
     std::array<ClearanceReport, kRound> blocks;
     tbb::parallel_for(std::size_t{0}, kRound, [&](std::size_t k) {
       const std::size_t from = begin + k * kBlock;

@@ -58,6 +58,7 @@ struct ClearanceOptions {
   double resolution =
       0.001;  ///< what is deeper than allowed by more than this is surely found [mm]
   std::size_t most_findings = 1000;  ///< after so many, the check stops
+  std::size_t first_move = 0;        ///< moves before it start nobody knows where and are left out
 };
 
 struct ClearanceFinding {

@@ -19,10 +19,17 @@ MachinePath path_on_machine(const ToolPath& path, const MotionModel& model, doub
   out.known = true;
   out.path = path;
   double before = 0.0;
+  Vec3 from = path.start.tip;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    // a move of no length has no passing of its own
+    Move& move = out.path.moves[i];
+    const bool stands = (move.end.tip - from).norm() < 1e-12;
+    from = move.end.tip;
+    if (stands) {  // a dwell, which the model does not time
+      if (std::isnan(move.turns)) move.turns = 0.0;
+      continue;
+    }
     const double turns = std::max(prediction.ends[i].turns, before);
-    out.path.moves[i].turns = turns - before;
+    move.turns = turns - before;
     before = turns;
   }
   return out;

@@ -9,8 +9,8 @@
 namespace patchmill {
 
 /// `path` with the turns of every move, rapids too, as they are between the predicted passings of its ends.
-/// What the model rounds off corners and the course of the speed within a move are left out. Empty if the
-/// prediction is not known; `reason` then says why.
+/// What the model rounds off corners and the course of the speed within a move are left out; a move of no
+/// length is a dwell and keeps its turns. Empty if the prediction is not known; `reason` then says why.
 struct MachinePath {
   bool known = false;
   std::string reason;

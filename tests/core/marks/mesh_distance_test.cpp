@@ -147,14 +147,18 @@ TEST(MeshDistance, FlutesMayTouchAWallThatShankAndHolderMayNot) {
   ASSERT_EQ(shank.outcome, ClearanceOutcome::Violated);
   for (const auto& f : shank.findings) EXPECT_EQ(f.part, ToolPart::Shank);
   EXPECT_NEAR(shank.findings[0].depth, 0.5 + 0.1, 0.02 * 0.6 + 0.001);
-  EXPECT_NEAR(shank.findings[0].place.x(), 10.5, 0.02);
-  EXPECT_NEAR(shank.findings[0].place.z(), 29.75, 0.3);
+  const Vec3 at = shank.findings[0].place;  // on the wall, in the shank
+  EXPECT_TRUE(at.x() > 10.0 - 1e-6 && at.x() < 10.5 + 1e-6) << at;
+  EXPECT_TRUE(at.z() > 29.5 - 1e-6 && at.z() < 30.0 + 1e-6) << at;
   const auto holder =
       check_clearance(path_through({{0, 0, 20}, {0, 0, 0}}), {kTool[2]}, part, kRough);
   ASSERT_EQ(holder.outcome, ClearanceOutcome::Violated);
   EXPECT_EQ(holder.findings[0].part, ToolPart::Holder);
-  EXPECT_GT(holder.findings[0].place.x(), 9.5);  // in the wall, above its half
-  EXPECT_LT(holder.findings[0].place.z(), 30.0);
+  EXPECT_GT(holder.findings[0].place.x(), 10.0 - 1e-6);  // on the wall, above the block
+  EXPECT_GT(holder.findings[0].place.z(), 25.0 - 1e-6);
+  // at right angles to its side, 5 above its lower edge
+  EXPECT_NEAR(holder.findings[0].depth,
+              (12.0 + 4.0 * 5.0 / 35.0 - 10.0) * std::cos(std::atan(4.0 / 35.0)) + 0.1, 1e-5);
 }
 
 TEST(MeshDistance, FlutesThatSinkIntoAWallAreFound) {
