@@ -122,8 +122,8 @@ def _length(bit, name, default):
 
 def check(operation, path=None, first_move=0, progress=None):
     """CheckResult of a texture operation's planned path, or of `path`, a ToolPath such as the one of a
-    PostedTexture, from its move `first_move` on. `progress` (share -> bool); if it returns False the result is
-    unknown.
+    PostedTexture, from its move `first_move` on. `progress` (share -> bool); if it returns False the result
+    is unknown.
 
     Raises InputError naming GougeTolerance, ToolClearance, StickOut or what the core names."""
     from patchmill.texture_operation import planned
