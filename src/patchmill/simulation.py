@@ -199,12 +199,38 @@ def simulate(
     if not marks.complete:
         return None
     found = core.compare_window(marks, plan.dimples, low, high, spacing)
-    cross = spacing if plan.input.patch_shape == "Square" else spacing * math.sqrt(0.75)
-    places = found["places"][~found["at_edge"]]
-    alignment = core.classify_alignment(places, (1.0, 0.0), spacing, cross)
+    alignment = _alignment(plan, found["places"][~found["at_edge"]])
     return SimulatedTexture(
         plan, marks, (low, high), found, alignment, source, base, reach, motion.untimed_moves
     )
+
+
+def _alignment(plan, places):
+    """How the marks at (n, 2) places line up: see _patchmill.classify_alignment."""
+    given = plan.input
+    if plan.free is not None:
+        return _alignment_of_sector(plan, places)
+    across = given.spacing * (1.0 if given.patch_shape == "Square" else math.sqrt(0.75))
+    return core.classify_alignment(places, (1.0, 0.0), given.spacing, across)
+
+
+def _alignment_of_sector(plan, places):
+    """Of the sector between the centre and one side of a patch of the free form that holds most marks: there
+    the passes are parallel."""
+    best = ([], None)
+    for outline in plan.outlines():
+        if not np.isfinite(outline).all():
+            continue
+        centre = outline.mean(axis=0)
+        for a, b in zip(outline, np.roll(outline, -1, axis=0)):
+            share = np.linalg.solve(np.column_stack([a - centre, b - centre]), (places - centre).T)
+            inside = (share > 0.02).all(axis=0) & (share.sum(axis=0) < 1.01)
+            if inside.sum() > len(best[0]):
+                best = places[inside], (b - a) / np.linalg.norm(b - a)
+    marks, along = best
+    if along is None:
+        marks, along = np.zeros((0, 2)), (1.0, 0.0)
+    return core.classify_alignment(marks, along, plan.input.feed_per_tooth, plan.input.cross_feed)
 
 
 def _plan_of(texture):
@@ -303,7 +329,9 @@ def _stock(plan):
     stretch = 1.0
     if given.mapping == "Projected" and not given.surface.planar and len(cosine):
         stretch = 1.0 / max(0.2, float(cosine.min()))
-    across = 1.0 if given.patch_shape == "Square" else 0.75
-    square = given.spacing**2 * (stretch**2 + across) / 4.0
+    across = given.spacing * (1.0 if given.patch_shape == "Square" else math.sqrt(0.75))
+    if plan.free is not None:
+        across = given.cross_feed
+    square = ((given.spacing * stretch) ** 2 + across**2) / 4.0
     peak = radius - math.sqrt(max(radius**2 - square, 0.25 * radius**2))
     return SLACK * peak - plan.size["sunk"]
