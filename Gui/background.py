@@ -6,9 +6,11 @@ False. It runs in a thread of its own; what it gives comes back to the GUI threa
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import os
 import threading
 import time
 
+import _patchmill as core
 from PySide import QtCore
 
 
@@ -56,7 +58,10 @@ class Background(QtCore.QObject):
             return number == self._number
 
         try:
+            # a core stays free for the GUI: without it its thread would wait for its turn
+            limit = core.ThreadLimit(max(1, (os.cpu_count() or 2) - 1))
             result = work(progress)
+            del limit
         except Exception as error:  # delivered to whoever asked, in the GUI thread
             self._arrived.emit(number, "failed", error)
         else:

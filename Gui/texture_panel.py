@@ -7,10 +7,10 @@ shown; when they stay, the whole texture is planned there, so that OK finds it r
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import _patchmill as core
 import FreeCAD
 from FreeCAD import Qt
 from _patchmill import InputError
-from patchmill.outlines import outlines_on_faces
 from patchmill.texture_operation import prepare, property_table
 from patchmill.texture_plan import place_texture
 from PySide import QtCore, QtGui
@@ -19,6 +19,7 @@ from patchmill_gui.background import Background
 from patchmill_gui.property_form import PropertyForm
 from patchmill_gui.idle_properties import idle_properties
 from patchmill_gui.resources import native, path
+from patchmill_gui.texture_scene import placed_displays
 from patchmill_gui.texture_summary import placed_summary, planned_summary
 
 PICTURE_WIDTH = 220  # as narrow as FreeCAD's panel at first
@@ -169,15 +170,15 @@ class TexturePanel(native("operation").TaskPanel):
     def _place(self):
         given = self._input()
         if given is not None:
-            self.placing.start(lambda progress: _placed_with_outlines(given, progress))
+            self.placing.start(lambda progress: _placed_and_drawn(given, progress))
 
     def _placed(self, result):
         if result is None:
             return
-        placed, outlines = result
+        placed, displays = result
         self.error = None
         self.page.show_error(None)
-        self.scene.show_placed(placed, outlines)
+        self.scene.show(displays)
         self.page.summary.setText(placed_summary(placed))
 
     def _plan(self):
@@ -188,14 +189,14 @@ class TexturePanel(native("operation").TaskPanel):
         if self.ready is not None and self.ready.planned.input == given:
             self._planned(self.ready)
         else:
-            self.planning.start(lambda progress: prepare(given, progress))
+            self.planning.start(lambda progress: _prepared_with_axes(given, progress))
 
     def _planned(self, ready):
         self.page.progress.setVisible(False)
         if ready is None:
             return
         self.ready = ready
-        self.scene.show_planned(ready.planned)
+        self.scene.show({"axes": ready.axes})
         self.page.summary.setText(planned_summary(ready.planned))
         if self.accepting:
             QtCore.QTimer.singleShot(0, self._finish)  # FreeCAD commits nothing inside its own call of accept
@@ -257,9 +258,16 @@ class TexturePanel(native("operation").TaskPanel):
         self.scene.clear()
 
 
-def _placed_with_outlines(given, progress):
+def _placed_and_drawn(given, progress):
     placed = place_texture(given, progress)
-    return placed and (placed, outlines_on_faces(placed))
+    return placed and (placed, placed_displays(placed))
+
+
+def _prepared_with_axes(given, progress):
+    ready = prepare(given, progress)
+    if ready is not None:
+        ready.axes = core.path_axis_display(ready.planned.path, 2.0 * given.tool.radius)
+    return ready
 
 
 def _timer(call):

@@ -5,12 +5,16 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import itertools
+import time
 
 import _patchmill as core
 import numpy as np
+from patchmill.outlines import outlines_on_faces
 from pivy import coin
+from PySide import QtCore
 
 PARTS = ("dimples", "outlines", "order", "axes", "path", "relief")
+SLICE_SECONDS, PAUSE_MS = 0.02, 10
 _numbers = itertools.count(1)
 
 
@@ -24,6 +28,10 @@ class TextureScene:
         self.root.addChild(pick)
         self._number = next(_numbers)
         self._switches = {}
+        self._pending = []  # (part, display, number of its chunk)
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._feed)
         for part in PARTS:
             switch, group = coin.SoSwitch(), coin.SoSeparator()
             group.setName(self.name(part))
@@ -46,25 +54,54 @@ class TextureScene:
         return self._switches[part][1].getNumChildren() > 0
 
     def clear(self):
+        self._pending = []
         for _, group in self._switches.values():
             group.removeAllChildren()
 
-    def show_placed(self, placed, outlines):
-        """A PlacedTexture or PlannedTexture; `outlines` as texture_plan.outlines_on_faces gives them."""
-        spacing = placed.input.spacing
-        core.show_dimples(self.name("dimples"), placed.dimples, 0.42 * spacing)
-        core.show_order(self.name("order"), placed.dimples, spacing)
-        core.show_outlines(self.name("outlines"), outlines)
+    def show(self, displays):
+        """Shows displays, a dict of part: _patchmill.Display, in place of what the parts held. A first slice
+        of them at once, the rest as the event loop has time."""
+        for part, display in displays.items():
+            self._switches[part][1].removeAllChildren()
+            self._pending = [job for job in self._pending if job[0] != part]
+            self._pending += [(part, display, number) for number in range(len(display))]
+        self._feed()
 
-    def show_planned(self, planned):
-        """The path of a PlannedTexture, and its tool axes."""
-        core.show_path(self.name("path"), planned.path)
-        core.show_path_axes(self.name("axes"), planned.path, 2.0 * planned.input.tool.radius)
+    @property
+    def complete(self):
+        """Whether all that was to be shown is there."""
+        return not self._pending
 
-    def show_relief(self, points, values):
-        """Points (rows, columns, 3) [mm] coloured by values (rows, columns); returns (low, high) of the
-        colour scale: all but the outermost 0.5 % at either end."""
-        finite = values[np.isfinite(values)]
-        low, high = np.percentile(finite, (0.5, 99.5)) if finite.size else (0.0, 1.0)
-        core.show_grid(self.name("relief"), points, values, low, high)
-        return float(low), float(high)
+    def _feed(self):
+        end = time.monotonic() + SLICE_SECONDS
+        while self._pending and time.monotonic() < end:
+            part, display, number = self._pending.pop(0)
+            display.show_chunk(self.name(part), number)
+        if self._pending:
+            self._timer.start(PAUSE_MS)
+
+
+def placed_displays(placed):
+    """Displays of a PlacedTexture or PlannedTexture: dimples, order, outlines. For any thread."""
+    spacing = placed.input.spacing
+    return {
+        "dimples": core.dimple_display(placed.dimples, 0.42 * spacing),
+        "outlines": core.outline_display(outlines_on_faces(placed)),
+        "order": core.order_display(placed.dimples, spacing),
+    }
+
+
+def planned_displays(planned):
+    """Displays of a PlannedTexture's path and tool axes. For any thread."""
+    return {
+        "path": core.path_display(planned.path),
+        "axes": core.path_axis_display(planned.path, 2.0 * planned.input.tool.radius),
+    }
+
+
+def relief_display(points, values):
+    """({"relief": Display}, low, high) of points (rows, columns, 3) [mm] coloured by values (rows, columns);
+    low and high are the ends of the colour scale: all but the outermost 0.5 % at either end."""
+    finite = values[np.isfinite(values)]
+    low, high = np.percentile(finite, (0.5, 99.5)) if finite.size else (0.0, 1.0)
+    return {"relief": core.grid_display(points, values, low, high)}, float(low), float(high)

@@ -10,11 +10,11 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 import FreeCADGui
 from FreeCAD import Qt
-from patchmill.outlines import outlines_on_faces
 from PySide import QtCore, QtGui
 
+from patchmill_gui.background import Background
 from patchmill_gui.resources import native
-from patchmill_gui.texture_scene import PARTS, TextureScene
+from patchmill_gui.texture_scene import PARTS, TextureScene, placed_displays, planned_displays
 
 DIMPLES, PATH, AXES, RELIEF, NATIVE = SHOWS = (
     "Dimples",
@@ -46,6 +46,8 @@ class ViewProvider(native("operation").ViewProvider):
         """Also when a document is opened: the display is made anew, from the path that was saved."""
         super().attach(vobj)
         self.scene = TextureScene()
+        self.drawing = Background()
+        self.drawing.finished.connect(self.scene.show)
         self.editing = False
         vobj.RootNode.addChild(self.scene.root)
         if "Show" not in vobj.PropertiesList:
@@ -93,10 +95,12 @@ class ViewProvider(native("operation").ViewProvider):
         _show_native_lines(vobj, show == NATIVE and not self.editing)
 
     def _fill(self, show, planned):
-        if show == DIMPLES and not self.scene.filled("dimples"):
-            self.scene.show_placed(planned, outlines_on_faces(planned))
-        if show in (PATH, AXES) and not self.scene.filled("path"):
-            self.scene.show_planned(planned)
+        """Makes what is to be shown in the background, unless it is there."""
+        wanted = [part for part in PARTS_OF[show] if not self.scene.filled(part)]
+        if not wanted or show == RELIEF:
+            return
+        make = placed_displays if show == DIMPLES else planned_displays
+        self.drawing.start(lambda progress: make(planned))
 
     def setEdit(self, vobj=None, mode=0):
         if mode != 0:

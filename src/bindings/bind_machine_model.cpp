@@ -1,6 +1,7 @@
 // Motion model, paced paths, verdicts and calibration for Python. Angles in radians.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
+#include "bindings/path_text.h"
 #include "core/geometry/error.h"
 #include "core/machine/motion_model.h"
 #include "core/machine/rs274_text.h"
@@ -115,9 +116,10 @@ void bind_paths(py::module_& m) {
   m.def(
       "freecad_paced_text",
       [](const ToolPath& path, const MotionModel& model, int decimals) {
-        return freecad_paced_text(path, model, Decimals(decimals));
+        return PathText(freecad_paced_text(path, model, Decimals(decimals)));
       },
       py::arg("path"), py::arg("model"), py::arg("decimals"),
+      py::call_guard<py::gil_scoped_release>(),
       "A paced path as text for Path.Path(text): G0, G1, G33, G61, G64.");
 }
 

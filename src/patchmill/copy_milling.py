@@ -79,7 +79,7 @@ class ObjectCopyMilling(host.PathOp.ObjectOp):
         except InputError as error:
             self.error = error
             raise
-        text = core.freecad_text(self.path, feed, 4)
+        text = str(core.freecad_text(self.path, feed, 4))
         self.commandlist.extend(host.Path.Path(text).Commands)
         statistics = self.path.statistics()
         obj.Moves = len(self.path)

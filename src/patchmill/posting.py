@@ -147,7 +147,7 @@ def _check_paces(op, plan, path):
     spindle = plan.input.spindle
     head = "%s S%d\n" % (spindle.sense, round(60.0 * spindle.speed))
     words = re.sub(
-        r"F([0-9.]+)", lambda f: "F%.6f" % (60.0 * float(f.group(1))), plan.pacing.text
+        r"F([0-9.]+)", lambda f: "F%.6f" % (60.0 * float(f.group(1))), str(plan.pacing.text)
     )
     planned_path = core.read_gcode(head + words, plan.input.tool)[-1].path
     core.match_plan(planned_path, plan.path, 1e-6)

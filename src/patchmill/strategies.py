@@ -23,11 +23,12 @@ CONSTANT, FITTED, FEED, LOCKED = NAMES = (
 
 @dataclass
 class Pacing:
-    """A path made by one strategy. `text` is for Path.Path(text). `verdict` is a _patchmill.Verdict, or
+    """A path made by one strategy. `text` is a _patchmill.PathText for
+    Path.Path(). `verdict` is a _patchmill.Verdict, or
     None where no machine was named. `clearance`: see _patchmill.paced_path; None for polygons."""
 
     path: core.ToolPath
-    text: str
+    text: core.PathText
     feed: float
     verdict: object = None
     clearance: float = None

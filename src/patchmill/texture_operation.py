@@ -30,23 +30,18 @@ class ReadyTexture:
     commands: list
 
 
-COMMANDS_AT_ONCE = 10000  # FreeCAD holds Python's lock while it reads so many
-
-
 def prepare(given, progress=None):
     """ReadyTexture of a TextureInput, without touching a document: for any thread. None if `progress`
     (share -> bool) returned False. Raises InputError naming the property that is wrong."""
     plan = plan_texture(given, progress and (lambda share: progress(0.8 * share)))
     if plan is None:
         return None
-    lines = plan.pacing.text.splitlines()
+    text = plan.pacing.text
     commands = []
-    for first in range(0, len(lines), COMMANDS_AT_ONCE):
-        if progress and not progress(0.8 + 0.2 * first / len(lines)):
+    for number in range(len(text)):  # FreeCAD holds Python's lock while it reads a part
+        if progress and not progress(0.8 + 0.2 * number / len(text)):
             return None
-        commands.extend(
-            host.Path.Path("\n".join(lines[first : first + COMMANDS_AT_ONCE])).Commands
-        )
+        commands.extend(host.Path.Path(text[number]).Commands)
     return ReadyTexture(plan, commands)
 
 

@@ -9,11 +9,15 @@
 #include <array>
 #include <cmath>
 
+#include <tbb/parallel_for.h>
+
 namespace patchmill::scene {
 namespace {
 
 constexpr std::size_t kChunk = 1024;    // dimples that are shown or simplified together
 constexpr float kPixelsOfDisc = 12.0f;  // a disc with less of the screen becomes a point
+constexpr float kPixelsOfPoint = 1.5f;  // and with less than this, one point stands for several
+constexpr std::size_t kFew = 16;
 constexpr double kLift =
     0.3;  // of the disc's radius: above the host's own, coarser triangles of the face
 constexpr std::array<Rgba, 2> kOrderColours{0x1b3a57ff, 0xa34a00ff};
@@ -45,19 +49,36 @@ void add_disc(Triangles& triangles, const Dimple& dimple, double radius) {
       triangles.corners.push_back(corner);
 }
 
-SoSeparator* chunk_node(const std::vector<const Dimple*>& dimples, double radius) {
+struct DimpleChunk {
   Triangles discs;
-  std::vector<SbVec3f> points;
-  std::vector<Rgba> colours;
-  for (const Dimple* dimple : dimples) {
-    add_disc(discs, *dimple, radius);
-    points.push_back(single(dimple->surface.position + kLift * radius * dimple->surface.normal));
-    colours.push_back(state_colour(dimple->state));
+  std::vector<SbVec3f> points, few_points;
+  std::vector<Rgba> colours, few_colours;
+};
+
+DimpleChunk chunk_of(const std::vector<const Dimple*>& dimples, std::size_t first, std::size_t last,
+                     double radius) {
+  DimpleChunk chunk;
+  for (std::size_t i = first; i < last; ++i) {
+    const Dimple& dimple = *dimples[i];
+    const SbVec3f place = single(dimple.surface.position + kLift * radius * dimple.surface.normal);
+    add_disc(chunk.discs, dimple, radius);
+    chunk.points.push_back(place);
+    chunk.colours.push_back(state_colour(dimple.state));
+    if (i % kFew) continue;
+    chunk.few_points.push_back(place);
+    chunk.few_colours.push_back(state_colour(dimple.state));
   }
+  return chunk;
+}
+
+SoSeparator* node_of(const DimpleChunk& chunk) {
+  const auto count = static_cast<float>(chunk.points.size());
   auto* detail = new SoLevelOfDetail;
-  detail->screenArea = kPixelsOfDisc * static_cast<float>(dimples.size());
-  detail->addChild(triangle_node(discs));
-  detail->addChild(point_node(points, colours, 3.0f));
+  const std::array<float, 2> areas{kPixelsOfDisc * count, kPixelsOfPoint * count};
+  detail->screenArea.setValues(0, 2, areas.data());
+  detail->addChild(triangle_node(chunk.discs));
+  detail->addChild(point_node(chunk.points, chunk.colours, 3.0f));
+  detail->addChild(point_node(chunk.few_points, chunk.few_colours, 3.0f));
   auto* separator = new SoSeparator;
   separator->addChild(detail);
   return separator;
@@ -76,25 +97,32 @@ void add_arrowhead(Polylines& lines, const Vec3& tail, const Vec3& tip, const Ve
 
 }  // namespace
 
-SoSeparator* dimple_node(const Dimples& dimples, double radius) {
-  auto* root = new SoSeparator;
-  std::vector<const Dimple*> chunk;
-  const auto flush = [&] {
-    if (!chunk.empty()) root->addChild(chunk_node(chunk, radius));
-    chunk.clear();
-  };
-  for (const Dimple& dimple : dimples) {
-    if (!has_place(dimple)) continue;
-    chunk.push_back(&dimple);
-    if (chunk.size() == kChunk) flush();
-  }
-  flush();
-  return root;
+Display dimple_display(const Dimples& dimples, double radius) {
+  std::vector<const Dimple*> shown;
+  for (const Dimple& dimple : dimples)
+    if (has_place(dimple)) shown.push_back(&dimple);
+  Display display((shown.size() + kChunk - 1) / kChunk);
+  tbb::parallel_for(std::size_t{0}, display.size(), [&](std::size_t i) {
+    const std::size_t last = std::min(shown.size(), (i + 1) * kChunk);
+    display[i] = [chunk = chunk_of(shown, i * kChunk, last, radius)] { return node_of(chunk); };
+  });
+  return display;
 }
 
-SoSeparator* order_node(const Dimples& dimples, double spacing) {
+Display order_display(const Dimples& dimples, double spacing) {
   constexpr int kStepsToAnArrow = 4;
+  constexpr std::size_t kVertices = 20000;  // in one chunk, or a little more
+  Display display;
   Polylines lines, heads;
+  const auto flush = [&] {
+    display.push_back([lines, heads] {
+      auto* root = new SoSeparator;
+      root->addChild(line_node(lines, 1.0f));
+      root->addChild(line_node(heads, 1.5f));
+      return root;
+    });
+    lines = heads = Polylines();
+  };
   const double lift = 0.2 * spacing;
   const Dimple* before = nullptr;
   std::size_t first = 0;
@@ -106,6 +134,7 @@ SoSeparator* order_node(const Dimples& dimples, double spacing) {
     const bool same_patch = before && before->patch == dimple.patch;
     if (!same_patch) {
       lines.close_from(first);
+      if (lines.vertices.size() > kVertices) flush();
       first = lines.vertices.size();
       step = 0;
     }
@@ -116,13 +145,11 @@ SoSeparator* order_node(const Dimples& dimples, double spacing) {
     before = &dimple;
   }
   lines.close_from(first);
-  auto* root = new SoSeparator;
-  root->addChild(line_node(lines, 1.0f));
-  root->addChild(line_node(heads, 1.5f));
-  return root;
+  flush();
+  return display;
 }
 
-SoSeparator* outline_node(const std::vector<std::vector<Vec3>>& outlines) {
+Display outline_display(const std::vector<std::vector<Vec3>>& outlines) {
   Polylines lines;
   for (const auto& outline : outlines) {
     std::size_t first = lines.vertices.size();
@@ -136,11 +163,11 @@ SoSeparator* outline_node(const std::vector<std::vector<Vec3>>& outlines) {
     }
     lines.close_from(first);
   }
-  return line_node(lines, 1.5f);
+  return {[lines] { return line_node(lines, 1.5f); }};
 }
 
-SoSeparator* axis_node(const Dimples& dimples, const std::vector<Vec3>& axes, double length,
-                       std::size_t most) {
+Display axis_display(const Dimples& dimples, const std::vector<Vec3>& axes, double length,
+                     std::size_t most) {
   Polylines lines;
   const std::size_t stride =
       std::max<std::size_t>(1, dimples.size() / std::max<std::size_t>(1, most));
@@ -151,7 +178,7 @@ SoSeparator* axis_node(const Dimples& dimples, const std::vector<Vec3>& axes, do
     lines.add(dimples[i].surface.position + length * axes[i], 0x6a3d9aff);
     lines.close_from(first);
   }
-  return line_node(lines, 1.0f);
+  return {[lines] { return line_node(lines, 1.0f); }};
 }
 
 }  // namespace patchmill::scene

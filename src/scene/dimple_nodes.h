@@ -6,27 +6,27 @@
 #include "core/patch/dimple.h"
 #include "core/patch/division.h"
 #include "core/patch/texture_plane.h"
+#include "scene/display.h"
 
 #include <vector>
 
-class SoSeparator;
-
 namespace patchmill::scene {
 
-/// Discs of `radius` [mm] lying on the surface, points where they would be a few pixels wide only.
+/// Discs of `radius` [mm] just over the surface; points where they would be a few pixels wide only, and
+/// some of them where even points would touch.
 /// Dimples that are OffFace or OffNet have no place on a face and are not shown.
-SoSeparator* dimple_node(const Dimples& dimples, double radius);
+Display dimple_display(const Dimples& dimples, double radius);
 
 /// Lines from dimple to dimple inside each patch, with an arrowhead every few steps of length
 /// `spacing` [mm] (1 for the first step); neighbouring patches have different shades.
-SoSeparator* order_node(const Dimples& dimples, double spacing);
+Display order_display(const Dimples& dimples, double spacing);
 
 /// Closed polylines, points as rows [mm]; a row that is not finite interrupts its line.
-SoSeparator* outline_node(const std::vector<std::vector<Vec3>>& outlines);
+Display outline_display(const std::vector<std::vector<Vec3>>& outlines);
 
 /// Lines of `length` [mm] from the dimples along their tool axes, at most `most` of them, evenly
 /// chosen. `axes` are unit vectors, one to a dimple.
-SoSeparator* axis_node(const Dimples& dimples, const std::vector<Vec3>& axes, double length,
-                       std::size_t most);
+Display axis_display(const Dimples& dimples, const std::vector<Vec3>& axes, double length,
+                     std::size_t most);
 
 }  // namespace patchmill::scene

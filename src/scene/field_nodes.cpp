@@ -20,8 +20,8 @@ double share(double value, double low, double high) {
 
 }  // namespace
 
-SoSeparator* slice_node(const std::vector<Vec3>& centres, const std::vector<double>& values,
-                        double side, int axis, double low, double high) {
+Display slice_display(const std::vector<Vec3>& centres, const std::vector<double>& values,
+                      double side, int axis, double low, double high) {
   require_same("values", values.size(), centres.size());
   if (axis < 0 || axis > 2) throw InputError("axis", std::to_string(axis), "give 0, 1 or 2.");
   const Vec3 a = 0.5 * side * Vec3::Unit((axis + 1) % 3),
@@ -38,11 +38,11 @@ SoSeparator* slice_node(const std::vector<Vec3>& centres, const std::vector<doub
     triangles.corners.insert(triangles.corners.end(),
                              {first, first + 1, first + 2, -1, first, first + 2, first + 3, -1});
   }
-  return triangle_node(triangles);
+  return {[triangles] { return triangle_node(triangles); }};
 }
 
-SoSeparator* arrow_node(const std::vector<Vec3>& places, const std::vector<Vec3>& vectors,
-                        double scale, const std::vector<double>& values, double low, double high) {
+Display arrow_display(const std::vector<Vec3>& places, const std::vector<Vec3>& vectors,
+                      double scale, const std::vector<double>& values, double low, double high) {
   require_same("vectors", vectors.size(), places.size());
   require_same("values", values.size(), places.size());
   Polylines lines;
@@ -61,7 +61,7 @@ SoSeparator* arrow_node(const std::vector<Vec3>& places, const std::vector<Vec3>
       lines.add(corner, colour);
     lines.close_from(head);
   }
-  return line_node(lines, 1.5f);
+  return {[lines] { return line_node(lines, 1.5f); }};
 }
 
 }  // namespace patchmill::scene

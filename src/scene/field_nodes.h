@@ -3,20 +3,19 @@
 #pragma once
 
 #include "core/geometry/vec.h"
+#include "scene/display.h"
 
 #include <vector>
-
-class SoSeparator;
 
 namespace patchmill::scene {
 
 /// A slice through voxels: squares of `side` [mm] around `centres`, at right angles to axis 0, 1 or 2,
 /// coloured by `values` from `low` to `high`.
-SoSeparator* slice_node(const std::vector<Vec3>& centres, const std::vector<double>& values,
-                        double side, int axis, double low, double high);
+Display slice_display(const std::vector<Vec3>& centres, const std::vector<double>& values,
+                      double side, int axis, double low, double high);
 
 /// Arrows from `places` along `vectors`, as long as the vectors times `scale`; coloured by `values`.
-SoSeparator* arrow_node(const std::vector<Vec3>& places, const std::vector<Vec3>& vectors,
-                        double scale, const std::vector<double>& values, double low, double high);
+Display arrow_display(const std::vector<Vec3>& places, const std::vector<Vec3>& vectors,
+                      double scale, const std::vector<double>& values, double low, double high);
 
 }  // namespace patchmill::scene

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include <tbb/parallel_for.h>
+
 namespace patchmill::scene {
 namespace {
 
@@ -41,75 +43,95 @@ Vec3 normal_at(const Grid& grid, std::size_t row, std::size_t column) {
                                                           : Vec3(Vec3::UnitZ());
 }
 
-SoVertexProperty* vertices_of(const Grid& grid, const std::vector<std::size_t>& rows,
-                              const std::vector<std::size_t>& columns) {
+/// The arrays of one copy of a chunk.
+struct GridCopy {
   std::vector<SbVec3f> places, normals;
   std::vector<Rgba> colours;
+  std::vector<std::int32_t> corners;
+};
+
+void add_vertices(GridCopy& copy, const Grid& grid, const std::vector<std::size_t>& rows,
+                  const std::vector<std::size_t>& columns) {
   const double span = grid.high > grid.low ? grid.high - grid.low : 1.0;
   for (const std::size_t row : rows)
     for (const std::size_t column : columns) {
       const Vec3 place = grid.point(row, column);
-      places.push_back(place.allFinite() ? single(place) : SbVec3f(0, 0, 0));
-      normals.push_back(single(normal_at(grid, row, column)));
-      colours.push_back(scale_colour((grid.values[row * grid.columns + column] - grid.low) / span));
+      copy.places.push_back(place.allFinite() ? single(place) : SbVec3f(0, 0, 0));
+      copy.normals.push_back(single(normal_at(grid, row, column)));
+      copy.colours.push_back(
+          scale_colour((grid.values[row * grid.columns + column] - grid.low) / span));
     }
-  auto* property = new SoVertexProperty;
-  const int count = static_cast<int>(places.size());
-  property->vertex.setValues(0, count, places.data());
-  property->normal.setValues(0, count, normals.data());
-  property->orderedRGBA.setValues(0, count, colours.data());
-  property->normalBinding = SoVertexProperty::PER_VERTEX_INDEXED;
-  property->materialBinding = SoVertexProperty::PER_VERTEX_INDEXED;
-  return property;
 }
 
-SoIndexedFaceSet* chunk(const Grid& grid, const std::vector<std::size_t>& rows,
-                        const std::vector<std::size_t>& columns) {
-  std::vector<std::int32_t> corners;
-  const auto number = [&](std::size_t r, std::size_t c) {
-    return static_cast<std::int32_t>(r * columns.size() + c);
+void add_corners(GridCopy& copy, const Grid& grid, const std::vector<std::size_t>& rows,
+                 const std::vector<std::size_t>& columns) {
+  const auto there = [&](std::size_t r, std::size_t c) {
+    return grid.point(rows[r], columns[c]).allFinite();
   };
+  const auto width = static_cast<std::int32_t>(columns.size());
   for (std::size_t r = 0; r + 1 < rows.size(); ++r)
     for (std::size_t c = 0; c + 1 < columns.size(); ++c) {
-      const bool whole = grid.point(rows[r], columns[c]).allFinite() &&
-                         grid.point(rows[r], columns[c + 1]).allFinite() &&
-                         grid.point(rows[r + 1], columns[c]).allFinite() &&
-                         grid.point(rows[r + 1], columns[c + 1]).allFinite();
-      if (!whole) continue;
-      const std::int32_t a = number(r, c), b = number(r, c + 1), d = number(r + 1, c);
-      corners.insert(corners.end(), {a, b, b + (d - a), -1, a, b + (d - a), d, -1});
+      if (!there(r, c) || !there(r, c + 1) || !there(r + 1, c) || !there(r + 1, c + 1)) continue;
+      const auto a = static_cast<std::int32_t>(r * columns.size() + c);
+      const std::int32_t b = a + 1, d = a + width, e = d + 1;
+      copy.corners.insert(copy.corners.end(), {a, b, e, -1, a, e, d, -1});
     }
+}
+
+SoIndexedFaceSet* node_of(const GridCopy& copy) {
+  auto* property = new SoVertexProperty;
+  const int count = static_cast<int>(copy.places.size());
+  property->vertex.setValues(0, count, copy.places.data());
+  property->normal.setValues(0, count, copy.normals.data());
+  property->orderedRGBA.setValues(0, count, copy.colours.data());
+  property->normalBinding = SoVertexProperty::PER_VERTEX_INDEXED;
+  property->materialBinding = SoVertexProperty::PER_VERTEX_INDEXED;
   auto* set = new SoIndexedFaceSet;
-  set->vertexProperty = vertices_of(grid, rows, columns);
-  set->coordIndex.setValues(0, static_cast<int>(corners.size()), corners.data());
+  set->vertexProperty = property;
+  set->coordIndex.setValues(0, static_cast<int>(copy.corners.size()), copy.corners.data());
   return set;
 }
 
-}  // namespace
+using GridChunk = std::array<GridCopy, kStrides.size()>;
 
-SoSeparator* grid_node(const Grid& grid) {
-  if (grid.rows < 2 || grid.columns < 2)
-    throw InputError("Grid", std::to_string(grid.rows) + " x " + std::to_string(grid.columns),
-                     "give at least two rows and two columns.");
-  auto* root = new SoSeparator;
+GridChunk chunk_of(const Grid& grid, std::size_t row, std::size_t column) {
+  GridChunk chunk;
+  for (std::size_t i = 0; i < kStrides.size(); ++i) {
+    const auto rows = picked(row, std::min(row + kCells, grid.rows - 1), kStrides[i]);
+    const auto columns = picked(column, std::min(column + kCells, grid.columns - 1), kStrides[i]);
+    add_vertices(chunk[i], grid, rows, columns);
+    add_corners(chunk[i], grid, rows, columns);
+  }
+  return chunk;
+}
+
+SoSeparator* node_of(const GridChunk& chunk) {
   auto* hints = new SoShapeHints;
   hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
   hints->shapeType = SoShapeHints::UNKNOWN_SHAPE_TYPE;
   hints->faceType = SoShapeHints::CONVEX;
-  root->addChild(hints);
-  for (std::size_t row = 0; row + 1 < grid.rows; row += kCells)
-    for (std::size_t column = 0; column + 1 < grid.columns; column += kCells) {
-      auto* detail = new SoLevelOfDetail;
-      detail->screenArea.setValues(0, static_cast<int>(kPixels.size()), kPixels.data());
-      for (const std::size_t stride : kStrides)
-        detail->addChild(
-            chunk(grid, picked(row, std::min(row + kCells, grid.rows - 1), stride),
-                  picked(column, std::min(column + kCells, grid.columns - 1), stride)));
-      auto* separator = new SoSeparator;
-      separator->addChild(detail);
-      root->addChild(separator);
-    }
-  return root;
+  auto* detail = new SoLevelOfDetail;
+  detail->screenArea.setValues(0, static_cast<int>(kPixels.size()), kPixels.data());
+  for (const GridCopy& copy : chunk) detail->addChild(node_of(copy));
+  auto* separator = new SoSeparator;
+  separator->addChild(hints);
+  separator->addChild(detail);
+  return separator;
+}
+
+}  // namespace
+
+Display grid_display(const Grid& grid) {
+  if (grid.rows < 2 || grid.columns < 2)
+    throw InputError("Grid", std::to_string(grid.rows) + " x " + std::to_string(grid.columns),
+                     "give at least two rows and two columns.");
+  const std::size_t down = (grid.rows - 2) / kCells + 1, across = (grid.columns - 2) / kCells + 1;
+  Display display(down * across);
+  tbb::parallel_for(std::size_t{0}, display.size(), [&](std::size_t i) {
+    const std::size_t row = i / across * kCells, column = i % across * kCells;
+    display[i] = [chunk = chunk_of(grid, row, column)] { return node_of(chunk); };
+  });
+  return display;
 }
 
 }  // namespace patchmill::scene

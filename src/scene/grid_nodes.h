@@ -5,10 +5,9 @@
 #pragma once
 
 #include "core/geometry/vec.h"
+#include "scene/display.h"
 
 #include <cstddef>
-
-class SoSeparator;
 
 namespace patchmill::scene {
 
@@ -26,6 +25,6 @@ struct Grid {
 };
 
 /// Lit triangles. Errors: InputError naming Grid if it has fewer than two rows or columns.
-SoSeparator* grid_node(const Grid& grid);
+Display grid_display(const Grid& grid);
 
 }  // namespace patchmill::scene

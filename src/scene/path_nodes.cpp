@@ -24,18 +24,18 @@ void add_moves(Polylines& lines, const ToolPath& path, std::size_t first, std::s
 
 }  // namespace
 
-SoSeparator* path_node(const ToolPath& path, std::size_t first, std::size_t last) {
+Display path_display(const ToolPath& path, std::size_t first, std::size_t last) {
   last = std::min(last, path.moves.size());
-  auto* root = new SoSeparator;
+  Display display;
   for (std::size_t i = first; i < last; i += kChunk) {
     Polylines lines;
     add_moves(lines, path, i, std::min(i + kChunk, last));
-    root->addChild(line_node(lines, 1.0f));
+    display.push_back([lines = std::move(lines)] { return line_node(lines, 1.0f); });
   }
-  return root;
+  return display;
 }
 
-SoSeparator* path_axis_node(const ToolPath& path, double length, std::size_t most) {
+Display path_axis_display(const ToolPath& path, double length, std::size_t most) {
   Polylines lines;
   const std::size_t count = path.moves.size();
   const std::size_t stride = std::max<std::size_t>(1, count / std::max<std::size_t>(1, most));
@@ -47,7 +47,7 @@ SoSeparator* path_axis_node(const ToolPath& path, double length, std::size_t mos
     lines.add(pose.tip + length * pose.axis, 0x6a3d9aff);
     lines.close_from(first);
   }
-  return line_node(lines, 1.0f);
+  return {[lines] { return line_node(lines, 1.0f); }};
 }
 
 }  // namespace patchmill::scene

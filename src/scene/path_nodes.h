@@ -5,16 +5,15 @@
 #pragma once
 
 #include "core/path/tool_path.h"
-
-class SoSeparator;
+#include "scene/display.h"
 
 namespace patchmill::scene {
 
 /// Lines along the tool tip, coloured by the kind of move; of the moves from `first` up to but not
 /// including `last`.
-SoSeparator* path_node(const ToolPath& path, std::size_t first, std::size_t last);
+Display path_display(const ToolPath& path, std::size_t first, std::size_t last);
 
 /// Lines of `length` [mm] along the tool axis at the ends of moves, at most `most`, evenly chosen.
-SoSeparator* path_axis_node(const ToolPath& path, double length, std::size_t most);
+Display path_axis_display(const ToolPath& path, double length, std::size_t most);
 
 }  // namespace patchmill::scene

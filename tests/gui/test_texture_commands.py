@@ -124,7 +124,8 @@ class TextureCommands(unittest.TestCase):
         driver.rest(0.2)
         for show, part in (("Dimples", "dimples"), ("Tool path", "path"), ("Dimples", "outlines")):
             operation.ViewObject.Show = show
-            self.assertTrue(scene.filled(part) and scene.shown(part), (show, part))
+            self.assertTrue(driver.wait(lambda: scene.filled(part)), (show, part))
+            self.assertTrue(scene.shown(part), (show, part))
         operation.ViewObject.Visibility = False
         self.assertFalse(scene.shown("dimples"))
 
