@@ -3,6 +3,7 @@
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
 #include "core/copy/copy_milling.h"
+#include "core/copy/live_session.h"
 #include "core/geometry/error.h"
 #include "core/voxel/air_cuts.h"
 #include "core/voxel/apply_dcm.h"
@@ -146,16 +147,27 @@ void bind_copy(py::module_& m) {
   py::class_<CopyOptions>(m, "CopyOptions", "What copy_mill needs beside the part. mm, s.")
       .def(py::init([](const std::string& mode, const BallEndMill& tool, const Spindle& spindle,
                        double feed, double radial_depth, double axial_depth, double tolerance,
-                       double allowance, const Vec3& low, const Vec3& high, double clearance) {
-             CopyOptions o{copy_mode(mode), tool,      spindle,   feed,  radial_depth,
-                           axial_depth,     tolerance, allowance, Box(), clearance};
+                       double allowance, const Vec3& low, const Vec3& high, double clearance,
+                       double overlap) {
+             CopyOptions o;
+             o.mode = copy_mode(mode);
+             o.tool = tool;
+             o.spindle = spindle;
+             o.feed = feed;
+             o.radial_depth = radial_depth;
+             o.axial_depth = axial_depth;
+             o.tolerance = tolerance;
+             o.allowance = allowance;
              o.stock.include(low);
              o.stock.include(high);
+             o.clearance = clearance;
+             o.overlap = overlap;
              return o;
            }),
            py::arg("mode"), py::arg("tool"), py::arg("spindle"), py::arg("feed"),
            py::arg("radial_depth"), py::arg("axial_depth"), py::arg("tolerance"),
-           py::arg("allowance"), py::arg("low"), py::arg("high"), py::arg("clearance"));
+           py::arg("allowance"), py::arg("low"), py::arg("high"), py::arg("clearance"),
+           py::arg("overlap") = 0.0);
   m.def(
       "copy_mill",
       [](const Solid& part, const CopyOptions& options, const py::object& progress) {
@@ -169,6 +181,49 @@ void bind_copy(py::module_& m) {
         "Paths one after the other, a rapid between; tool and spindle are the first one's.");
   m.def("scallop_height", &scallop_height, py::arg("radius"), py::arg("cross_feed"),
         "Ridge on a flat between passes [mm].");
+}
+
+LiveConditions changed(const LiveConditions& now, const std::optional<double>& radial,
+                       const std::optional<double>& axial, const std::optional<double>& low,
+                       const std::optional<double>& high) {
+  return {radial.value_or(now.radial_depth),
+          axial.value_or(now.axial_depth),
+          {low.value_or(now.feed.low), high.value_or(now.feed.high)}};
+}
+
+void bind_live(py::module_& m) {
+  py::class_<LiveSession>(m, "LiveSession", "Copy milling made while the tool cuts. mm, s.")
+      .def(py::init([](const Solid& part, const VoxelGrid& grid, const CopyOptions& options,
+                       double low, double high) {
+             return LiveSession(part.bvh, grid, options, {low, high});
+           }),
+           py::arg("part"), py::arg("grid"), py::arg("options"), py::arg("low"), py::arg("high"),
+           py::keep_alive<1, 2>(), py::keep_alive<1, 3>())
+      .def("next", &LiveSession::next, py::arg("seconds"), py::call_guard<py::gil_scoped_release>(),
+           "ToolPath of the next moves, at most `seconds`; without moves when all is cut.")
+      .def(
+          "change",
+          [](LiveSession& s, const std::optional<double>& radial,
+             const std::optional<double>& axial, const std::optional<double>& low,
+             const std::optional<double>& high) {
+            s.change(changed(s.conditions(), radial, axial, low, high));
+          },
+          py::arg("radial_depth") = py::none(), py::arg("axial_depth") = py::none(),
+          py::arg("low") = py::none(), py::arg("high") = py::none(),
+          "From the next batch on; what is not given stays. The radial depth from the next line "
+          "on.")
+      .def_property_readonly("done", &LiveSession::done)
+      .def_property_readonly("line", &LiveSession::line)
+      .def_property_readonly("level", &LiveSession::level)
+      .def_property_readonly("conditions", [](const LiveSession& s) {
+        const LiveConditions& c = s.conditions();
+        py::dict d;
+        d["radial_depth"] = c.radial_depth;
+        d["axial_depth"] = c.axial_depth;
+        d["low"] = c.feed.low;
+        d["high"] = c.feed.high;
+        return d;
+      });
 }
 
 }  // namespace
@@ -208,6 +263,7 @@ void bind_dcm_path(py::module_& m) {
       "(path with moves through emptied voxels at `feed` [mm/s], number of the given move of "
       "each)");
   bind_copy(m);
+  bind_live(m);
 }
 
 }  // namespace patchmill

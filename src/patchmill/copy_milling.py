@@ -19,6 +19,7 @@ from patchmill.texture_operation import create
 from patchmill.translate import QT_TRANSLATE_NOOP
 
 MODES = ["Scanning", "Contour", "Scanning with undercuts"]
+OVERLAP = 0.87  # of the ball's radius that lines go beyond the stock: slopes up to 60 degrees are finished
 PASSES = ["Roughing and finishing", "Roughing", "Finishing"]
 # type, name, group, tip, default; a list as default is an enumeration, its first value the default
 PROPERTIES = [
@@ -99,7 +100,8 @@ def mill(obj):
     def path(radial, axial, allowance):
         clearance = max(0.1, obj.SafeHeight.Value - high[2])
         depths = (radial, axial, obj.Tolerance.Value, allowance)
-        options = core.CopyOptions(obj.Mode, tool, spindle, feed, *depths, low, high, clearance)
+        room = (low, high, clearance, OVERLAP * tool.radius)
+        options = core.CopyOptions(obj.Mode, tool, spindle, feed, *depths, *room)
         return core.copy_mill(part, options)
 
     made = []

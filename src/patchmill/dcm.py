@@ -114,8 +114,20 @@ def input_of(obj):
     )
 
 
-def apply(given, model):
-    """Result for a DcmInput and its RemovalModel. Raises InputError."""
+@dataclass
+class Controlled:
+    """A base path under the voxel model: as it was planned, and as it is now; `source`: the number of the
+    planned move of each move."""
+
+    base: base_path.BasePath
+    planned: core.ToolPath
+    path: core.ToolPath
+    source: np.ndarray
+    not_clear: int
+
+
+def control(given, model):
+    """Controlled for a DcmInput and its RemovalModel. Raises InputError."""
     _check(given)
     base = base_path.read(given.commands, given.label)
     if not base.tips:
@@ -141,8 +153,14 @@ def apply(given, model):
         source = source[pieces]
     if given.keep_plunges and given.feed:
         path = slow_plunges(path, planned, source)
-    commands = _commands(given, base, path, source)
-    return Result(commands, path, planned, core.path_steps(path), not_clear)
+    return Controlled(base, planned, path, source, not_clear)
+
+
+def apply(given, model):
+    """Result for a DcmInput and its RemovalModel. Raises InputError."""
+    made = control(given, model)
+    commands = _commands(given, made.base, made.path, made.source)
+    return Result(commands, made.path, made.planned, core.path_steps(made.path), made.not_clear)
 
 
 def slow_plunges(path, planned, source):

@@ -3,6 +3,7 @@
 #include "core/copy/copy_milling.h"
 
 #include "core/copy/contouring.h"
+#include "core/copy/drop_cutter.h"
 #include "core/copy/path_builder.h"
 #include "core/copy/scanning.h"
 #include "core/geometry/error.h"
@@ -13,9 +14,8 @@
 #include <fmt/format.h>
 
 namespace patchmill {
-namespace {
 
-void check(const CopyOptions& o) {
+void require_valid(const CopyOptions& o) {
   require_positive("tool radius", o.tool.radius, "mm");
   require_positive("spindle speed", o.spindle.speed, "1/s");
   require_positive("feed", o.feed, "mm/s");
@@ -23,6 +23,7 @@ void check(const CopyOptions& o) {
   require_positive("axial depth of cut", o.axial_depth, "mm");
   require_positive("clearance", o.clearance, "mm");
   require_in_range("tolerance", o.tolerance, 1e-4, o.tool.radius, "mm");
+  require_in_range("overlap", o.overlap, 0.0, o.tool.radius, "mm");
   require_in_range("allowance", o.allowance, 0.0, 1e3, "mm");
   if (!((o.stock.size().array() > 0.0).all() && o.stock.size().allFinite()))
     throw InputError("stock", "no volume", "give a stock with length, width and height.");
@@ -33,6 +34,8 @@ void check(const CopyOptions& o) {
                      fmt::format("{} mm radial, {} mm axial", o.radial_depth, o.axial_depth),
                      "enlarge it: there would be more than ten million passes.");
 }
+
+namespace {
 
 // Levels of the ball centre: one axial depth below the top, and so on down to the tip at the
 // bottom.
@@ -45,12 +48,15 @@ std::vector<double> levels(const CopyOptions& o) {
   return z;
 }
 
-// Planes from one edge of the stock to the other, at most the radial depth apart.
+// Planes from one edge of the stock to the other and the overlap, at most the radial depth apart.
 std::vector<double> planes(const CopyOptions& o) {
   const double width = o.stock.size().y();
   const int n = std::max(1, static_cast<int>(std::ceil(width / o.radial_depth - 1e-9)));
   std::vector<double> y;
+  const int beyond = static_cast<int>(std::ceil(o.overlap / o.radial_depth - 1e-9));
+  for (int j = beyond; j > 0; --j) y.push_back(o.stock.lo.y() - o.overlap * j / beyond);
   for (int j = 0; j <= n; ++j) y.push_back(o.stock.lo.y() + width * j / n);
+  for (int j = 1; j <= beyond; ++j) y.push_back(o.stock.hi.y() + o.overlap * j / beyond);
   return y;
 }
 
@@ -107,8 +113,25 @@ Runs usable(const std::vector<Polyline>& section, double bottom, double x0, doub
   return runs;
 }
 
+// Points are inserted so that none is further than `step` from the next.
+Runs refined(Runs runs, double step) {
+  for (auto& run : runs) {
+    std::vector<Vec2> fine{run.front()};
+    for (std::size_t i = 1; i < run.size(); ++i) {
+      const Vec2 a = run[i - 1], b = run[i];
+      const int n = std::max(1, static_cast<int>(std::ceil((b - a).norm() / step)));
+      for (int k = 1; k <= n; ++k) fine.push_back(a + (b - a) * k / n);
+    }
+    run = std::move(fine);
+  }
+  return runs;
+}
+
 ToolPath scan_undercut(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
-  PathBuilder builder(o);
+  const double radius = o.tool.radius + o.allowance;
+  PathBuilder builder(o, [&](const Vec3& c) {
+    return drop_ball(part, c.x(), c.y(), radius) <= c.z() + 0.5 * o.tolerance;
+  });
   const std::vector<double> level = levels(o), y = planes(o);
   const double x0 = o.stock.lo.x() - o.tool.radius, x1 = o.stock.hi.x() + o.tool.radius;
   std::vector<std::vector<Polyline>> section;
@@ -118,7 +141,8 @@ ToolPath scan_undercut(const TriangleBvh& part, const CopyOptions& o, const Prog
   }
   for (const double z : level)
     for (std::size_t j = 0; j < y.size(); ++j)
-      cut_runs(free_intervals(section[j], z, x0, x1), y[j], j % 2 == 1, builder);
+      cut_runs(refined(free_intervals(section[j], z, x0, x1), o.tool.radius), y[j], j % 2 == 1,
+               builder);
   for (std::size_t j = 0; j < y.size(); ++j)
     cut_runs(usable(section[j], level.back(), x0, x1), y[j], j % 2 == 1, builder);
   return builder.finish();
@@ -155,7 +179,7 @@ ToolPath contour(const TriangleBvh& part, const CopyOptions& o, const Progress& 
 }  // namespace
 
 ToolPath copy_mill(const TriangleBvh& part, const CopyOptions& options, const Progress& progress) {
-  check(options);
+  require_valid(options);
   if (options.mode == CopyMode::Contour) return contour(part, options, progress);
   if (options.mode == CopyMode::ScanningUndercut) return scan_undercut(part, options, progress);
   return scan(part, options, progress);

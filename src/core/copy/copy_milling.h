@@ -38,7 +38,13 @@ struct CopyOptions {
   double allowance = 0.0;     ///< left on the part [mm], >= 0
   Box stock;                  ///< what there is to cut [mm]
   double clearance = 5.0;     ///< rapids run this far above the stock [mm], > 0
+  /// How far scanning lines go on beyond the stock in y [mm], in [0, R]: a slope that falls towards that edge
+  /// by the angle a is finished by a ball centre R sin(a) beyond it.
+  double overlap = 0.0;
 };
+
+/// Throws InputError for an option out of range or a stock of no volume.
+void require_valid(const CopyOptions& options);
 
 /// The path over the part. Errors: InputError for an option out of range or a stock of no volume.
 /// If `progress` asks for a stop, the path is what was done so far.

@@ -4,8 +4,9 @@
 
 namespace patchmill {
 
-PathBuilder::PathBuilder(const CopyOptions& options)
+PathBuilder::PathBuilder(const CopyOptions& options, FreeAbove free_above)
     : options_(options),
+      free_above_(std::move(free_above)),
       safe_(options.stock.hi.z() + options.clearance),
       tip_(options.stock.lo.x(), options.stock.lo.y(), safe_) {
   path_.tool = options.tool;
@@ -33,6 +34,23 @@ void PathBuilder::feed(const Vec3& tip, MoveKind kind) {
 
 void PathBuilder::cut(const std::vector<Vec3>& centres) {
   if (centres.size() < 2) return;
+  if (!free_above_) return cut_from_above(centres);
+  const std::size_t n = centres.size();
+  std::size_t first = 0, last = n - 1;
+  while (first < n && !free_above_(centres[first])) ++first;
+  if (first == n) {
+    ++unreached_;
+    return;
+  }
+  while (!free_above_(centres[last])) --last;
+  std::vector<Vec3> way;
+  for (std::size_t i = first; i > 0; --i) way.push_back(centres[i]);
+  way.insert(way.end(), centres.begin(), centres.end());
+  for (std::size_t i = n - 1; i > last; --i) way.push_back(centres[i - 1]);
+  cut_from_above(way);
+}
+
+void PathBuilder::cut_from_above(const std::vector<Vec3>& centres) {
   const Vec3 down(0, 0, options_.tool.radius);
   const Vec3 first = centres.front() - down;
   if ((first - tip_).norm() > 1e-9) {

@@ -34,23 +34,23 @@ Box box(const Vec3& lo, const Vec3& hi) {
   return b;
 }
 
-// Calls `visit(ball centre)` every 0.1 mm of cutting.
+// Calls `visit(ball centre)` every 0.1 mm of cutting, or of all moves.
 template <class Visit>
-void along_cuts(const ToolPath& path, const Visit& visit) {
+void along(const ToolPath& path, bool cuts_only, const Visit& visit) {
   Vec3 from = ball_centre(path.start, path.tool.radius);
   for (const Move& move : path.moves) {
     const Vec3 to = ball_centre(move.end, path.tool.radius);
     const int n = 1 + static_cast<int>((to - from).norm() / 0.1);
-    if (move.kind == MoveKind::Cut)
+    if (move.kind == MoveKind::Cut || !cuts_only)
       for (int i = 0; i <= n; ++i) visit(Vec3(from + double(i) / n * (to - from)));
     from = to;
   }
 }
 
-// How deep the ball goes into the part, by distance and parity: no code in common with the probe.
+// How deep the ball goes into the part in any move, links and rapids too, by distance and parity: no code in common with the probe.
 double deepest_gouge(const TriangleBvh& part, const ToolPath& path) {
   double deepest = 0.0;
-  along_cuts(path, [&](const Vec3& c) {
+  along(path, false, [&](const Vec3& c) {
     const auto cross = line_crossings(part, c.y(), c.z());
     const auto before = std::upper_bound(cross.begin(), cross.end(), c.x()) - cross.begin();
     const double d = closest_point(part, c).distance;
@@ -101,7 +101,7 @@ TEST(CopyMilling, ScallopsOnAFlatAreAsPredicted) {
   double highest = 0.0;
   for (double y = 4.0; y < 16.0; y += 0.05) {
     double left = 1e9;  // on the part at (10, y): height that no ball has reached
-    along_cuts(path, [&](const Vec3& c) {
+    along(path, true, [&](const Vec3& c) {
       const double dx = c.x() - 10, dy = c.y() - y, rest = 9.0 - dx * dx - dy * dy;
       if (rest > 0) left = std::min(left, c.z() - std::sqrt(rest) - 5.0);
     });
@@ -148,8 +148,8 @@ TEST(CopyMilling, BelowAnOverhangOnlyTheUndercutModeCuts) {
   const auto covered = [&](CopyMode mode) {
     options.mode = mode;
     int under = 0;  // ball centres with part above them
-    along_cuts(copy_mill(part, options),
-               [&](const Vec3& c) { under += drop_ball(part, c.x(), c.y(), 0.01) > c.z() + 0.1; });
+    along(copy_mill(part, options), true,
+          [&](const Vec3& c) { under += drop_ball(part, c.x(), c.y(), 0.01) > c.z() + 0.1; });
     return under;
   };
   EXPECT_EQ(covered(CopyMode::Scanning), 0);

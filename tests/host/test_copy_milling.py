@@ -1,0 +1,186 @@
+"""CopyMilling: no gouge by an independent check on the parts of the paper and on parts of others, scallops as
+as predicted, roughing and finishing, faces, bad input.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import pathlib
+import sys
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+sys.path.insert(0, str(HERE.parents[1] / "Resources" / "recipes" / "kobayashi2014"))
+
+import _patchmill as core  # noqa: E402
+import FreeCAD  # noqa: E402
+import make_parts  # noqa: E402
+import numpy as np  # noqa: E402
+import Part  # noqa: E402
+from milling_jobs import make_job, pocket_part  # noqa: E402
+from patchmill import CopyMilling, InputError, host  # noqa: E402
+from test_real_parts import IDF, OCCT, read  # noqa: E402
+
+RADIUS, TOLERANCE = 3.0, 0.01
+REAL_PARTS = [
+    OCCT / "occ/Axis_of_bearing.brep", OCCT / "occ/Pump_TopCover.brep", OCCT / "step/linkrods.step",
+    OCCT / "occ/CrankArm.brep", IDF / "EPL22_6_16.stp",
+]  # fmt: skip
+
+
+def ball_centres(path, step):
+    """Ball centres every `step` mm of all moves, rapids too."""
+    ends = np.vstack([np.array(path.start)[None], path.tips]) + (0, 0, path.tool.radius)
+    out = [ends[:1]]
+    for a, b in zip(ends[:-1], ends[1:]):
+        n = max(1, int(np.ceil(np.linalg.norm(b - a) / step)))
+        out.append(a + (b - a) * (np.arange(1, n + 1) / n)[:, None])
+    return np.vstack(out)
+
+
+def deepest_gouge(shape, path, step, deflection=0.002):
+    """How deep the ball goes into a finer mesh of the part than the one it was led by, by distances alone."""
+    solid = core.solid_of_brep(shape.exportBrepToString(), deflection, "part")
+    low, high = solid.bounds
+    centres = ball_centres(path, step)
+    near = ((centres > np.array(low) - RADIUS) & (centres < np.array(high) + RADIUS)).all(axis=1)
+    if not near.any():
+        return 0.0
+    return float(path.tool.radius - solid.signed_distances(centres[near]).min())
+
+
+def job_with_stock(shape, margin=0.0, name="copy"):
+    """A job whose stock is the part's box, `margin` larger."""
+    document, job = make_job(shape, name, ball=True)
+    box = job.Model.Group[0].Shape.BoundBox
+    stock = document.addObject("Part::Feature", "StockBox")
+    stock.Shape = Part.makeBox(
+        box.XLength + 2 * margin, box.YLength + 2 * margin, box.ZLength + margin,
+        FreeCAD.Vector(box.XMin - margin, box.YMin - margin, box.ZMin),
+    )  # fmt: skip
+    job.Stock = stock
+    document.recompute()
+    return document, job
+
+
+class CopyMillingTest(unittest.TestCase):
+    def tearDown(self):
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+
+    def mill(self, job, **properties):
+        operation = CopyMilling.Create("Copy", parentJob=job)
+        for name, value in properties.items():
+            setattr(operation, name, value)
+        return operation, CopyMilling.recompute(operation)
+
+    def check(self, shape, mode, step=0.3, **properties):
+        document, job = job_with_stock(shape, 1.0)
+        operation, path = self.mill(job, Mode=mode, **properties)
+        gouge = deepest_gouge(job.Model.Group[0].Shape, path, step)
+        print("%s: %d moves, deepest gouge %.4f mm" % (mode, len(path), gouge))
+        self.assertGreater(path.statistics()["cut_length_mm"], 10.0)
+        self.assertLessEqual(gouge, TOLERANCE)
+        return operation, path
+
+    def test_the_papers_parts(self):
+        for shape in (make_parts.convex_part(), make_parts.overhanging_part()):
+            for mode in CopyMilling.MODES:
+                with self.subTest(mode=mode):
+                    self.check(shape, mode, RadialDepth=4.0, AxialDepth=6.0)
+
+    def test_parts_of_others(self):
+        for file in REAL_PARTS:
+            shape = read(file)
+            solid = max(shape.Solids, key=lambda s: s.Volume) if shape.Solids else shape
+            size = solid.BoundBox
+            for mode in ("Scanning", "Contour"):
+                with self.subTest(part=file.name, mode=mode):
+                    print(file.name, "%.1f x %.1f x %.1f mm" % (size.XLength, size.YLength, size.ZLength))
+                    big = max(size.XLength, size.YLength)
+                    depths = {"RadialDepth": big / 12, "AxialDepth": max(1.0, size.ZLength / 4)}
+                    self.check(solid, mode, max(0.3, big / 300), **depths)
+
+    def test_scallop_on_a_flat(self):
+        for radial in (1.0, 2.0):
+            document, job = job_with_stock(Part.makeBox(30, 20, 10), 1.0)
+            operation, path = self.mill(job, RadialDepth=radial, AxialDepth=5.0)
+            centres = ball_centres(path, 0.5)
+            middle = centres[(np.abs(centres[:, 0] - 15) < 0.3) & (centres[:, 2] < 20)]
+            y = np.unique(np.round(middle[:, 1], 6))
+            y = y[(y > 2) & (y < 18)]
+            gap = np.diff(y).max()
+            heights = []
+            for place in np.linspace(y[0], y[-1], 2001):  # the surface that the balls leave, at x = 15
+                d = middle[:, 1] - place
+                under = np.abs(d) < RADIUS
+                heights.append((middle[under, 2] - np.sqrt(RADIUS**2 - d[under] ** 2)).min())
+            ridge = max(heights) - min(heights)
+            self.assertAlmostEqual(ridge, core.scallop_height(RADIUS, gap), delta=0.002)
+            self.assertLessEqual(gap, radial + 1e-6)
+            self.assertAlmostEqual(operation.Scallop, core.scallop_height(RADIUS, radial), places=9)
+
+    def test_roughing_leaves_the_allowance_and_finishing_takes_it(self):
+        shape = make_parts.convex_part()
+        document, job = job_with_stock(shape, 1.0)
+        part = job.Model.Group[0].Shape
+        kwargs = {"RadialDepth": 4.0, "AxialDepth": 6.0, "Allowance": 0.5}
+        operation, rough = self.mill(job, Passes="Roughing", **kwargs)
+        self.assertAlmostEqual(deepest_gouge(part, rough, 0.3), -0.5, delta=0.02)
+        operation, both = self.mill(job, FinishingRadialDepth=2.0, **kwargs)
+        self.assertAlmostEqual(deepest_gouge(part, both, 0.3), 0.0, delta=TOLERANCE)
+        self.assertGreater(len(both), len(rough))
+        operation, last = self.mill(job, Passes="Finishing", FinishingRadialDepth=2.0, **kwargs)
+        self.assertLess(last.statistics()["cut_length_mm"], both.statistics()["cut_length_mm"])
+
+    def test_faces_alone(self):
+        shape = pocket_part()
+        document, job = job_with_stock(shape, 1.0)
+        model = job.Model.Group[0]
+        whole, path = self.mill(job, RadialDepth=4.0)
+        boxes = {n: f.BoundBox for n, f in enumerate(model.Shape.Faces, 1)}
+        floor = min((n for n, b in boxes.items() if b.ZLength < 1e-6 and b.ZMin > 1), key=lambda n: boxes[n].ZMin)
+        operation = CopyMilling.Create("Faces", parentJob=job)
+        operation.Base = [(model, ["Face%d" % floor])]
+        operation.RadialDepth = 4.0
+        faces = CopyMilling.recompute(operation)
+        lowest = (faces.tips[faces.kinds == 2, 2]).min()
+        self.assertAlmostEqual(lowest, model.Shape.Faces[floor - 1].BoundBox.ZMin, delta=0.01)
+
+    def test_same_input_same_path(self):
+        document, job = job_with_stock(make_parts.convex_part(), 1.0)
+        _, a = self.mill(job, RadialDepth=5.0, AxialDepth=8.0, Mode="Contour")
+        _, b = self.mill(job, RadialDepth=5.0, AxialDepth=8.0, Mode="Contour")
+        self.assertEqual(a.tips.tobytes(), b.tips.tobytes())
+
+    def test_bad_input(self):
+        document, job = job_with_stock(make_parts.convex_part(), 1.0)
+        operation, _ = self.mill(job, RadialDepth=5.0, AxialDepth=8.0)
+        for name, bad in [("RadialDepth", 0.0), ("AxialDepth", 0.0), ("Tolerance", 0.0)]:
+            good = getattr(operation, name)
+            setattr(operation, name, bad)
+            with self.assertRaises(InputError) as caught:
+                CopyMilling.recompute(operation)
+            self.assertEqual(caught.exception.property, name)
+            self.assertEqual(len(operation.Path.Commands), 0)
+            setattr(operation, name, good)
+        job.Stock = document.addObject("Part::Box", "Small")
+        with self.assertRaises(InputError) as caught:
+            CopyMilling.recompute(operation)
+        self.assertEqual(caught.exception.property, "Model")
+        document, job = make_job(make_parts.convex_part(), "endmill")
+        with self.assertRaises(InputError) as caught:
+            self.mill(job)
+        self.assertEqual(caught.exception.property, "ToolController")
+
+    def test_posts(self):
+        document, job = job_with_stock(make_parts.convex_part(), 1.0)
+        operation, path = self.mill(job, RadialDepth=5.0, AxialDepth=8.0)
+        text = host.post_parts(job, "linuxcnc", job.PostProcessorArgs)[0]
+        section = core.read_gcode(text, path.tool)[-1]
+        self.assertLess(deepest_gouge(job.Model.Group[0].Shape, section.path, 0.3), TOLERANCE + 1e-4)
+
+
+if __name__ == "__main__":
+    result = unittest.main(exit=False, verbosity=2).result
+    sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
