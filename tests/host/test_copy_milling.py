@@ -139,7 +139,8 @@ class CopyMillingTest(unittest.TestCase):
         model = job.Model.Group[0]
         whole, path = self.mill(job, RadialDepth=4.0)
         boxes = {n: f.BoundBox for n, f in enumerate(model.Shape.Faces, 1)}
-        floor = min((n for n, b in boxes.items() if b.ZLength < 1e-6 and b.ZMin > 1), key=lambda n: boxes[n].ZMin)
+        level = [n for n, b in boxes.items() if b.ZLength < 1e-6 and b.ZMin > 1]
+        floor = min(level, key=lambda n: boxes[n].ZMin)
         operation = CopyMilling.Create("Faces", parentJob=job)
         operation.Base = [(model, ["Face%d" % floor])]
         operation.RadialDepth = 4.0
