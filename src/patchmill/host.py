@@ -164,6 +164,15 @@ def _post_0_20(job, post_name, arguments):
     return parts
 
 
+def post_processor_class():
+    """The base class of post-processors, from FreeCAD 1.0 on; None on older ones, which know functions."""
+    try:
+        from Path.Post.Processor import PostProcessor
+    except ImportError:
+        return None
+    return PostProcessor
+
+
 def post_parts(job, post_name, arguments):
     """What FreeCAD's post-processor `post_name` makes of the job: a list of texts, one per file."""
     if VERSION < (0, 21):

@@ -3,6 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import importlib
 import math
 import os
 import re
@@ -47,7 +48,8 @@ def post(job, filename, post_name=None, arguments=None):
         _check_verdict(op, plan)
         _check_arguments(post_name, plan, shlex.split(arguments))
     text = _single_text(job, post_name, arguments)
-    posted = _read_back(text, textures, plans)
+    own = own_dialect(post_name)
+    posted = _read_back(text, textures, plans, own.dialect if own else "linuxcnc")
     for one in posted:
         one.check = checks.require_clear(one.operation, one.path, one.unplaced)
     _write(filename, text)
@@ -81,7 +83,8 @@ def _check_verdict(op, plan):
 def _check_arguments(post_name, plan, arguments):
     if "--inches" in arguments:
         raise InputError("PostProcessorArgs", "--inches", "textures are posted in millimetres.")
-    precision = 4 if post_name == "patchmill_linuxcnc" else 3
+    own = own_dialect(post_name)
+    precision = own.precision(shlex.join(arguments)) if own else 3
     for i, argument in enumerate(arguments):
         if argument.startswith("--precision="):
             precision = int(argument.split("=", 1)[1])
@@ -96,6 +99,16 @@ def _check_arguments(post_name, plan, arguments):
         )
 
 
+def own_dialect(post_name):
+    """The post_dialect.Dialect of one of PatchMill's own posts, None for any other post."""
+    if not post_name.startswith("patchmill_"):
+        return None
+    try:
+        return importlib.import_module(post_name + "_post").DIALECT
+    except ImportError as error:
+        raise InputError("PostProcessor", post_name, "there is no such post-processor.") from error
+
+
 def _single_text(job, post_name, arguments):
     parts = host.post_parts(job, post_name, arguments)
     if len(parts) != 1:
@@ -107,11 +120,11 @@ def _single_text(job, post_name, arguments):
     return parts[0]
 
 
-def _read_back(text, operations, plans):
+def _read_back(text, operations, plans, dialect):
     posted = []
     for op, plan in zip(operations, plans):
         candidates = []
-        for section in core.read_gcode(text, plan.input.tool):
+        for section in core.read_gcode(text, plan.input.tool, dialect):
             match = core.match_plan(section.path, plan.path, 0.5 * 10.0**-plan.input.decimals)
             candidates.append((match.complete, match.found, section, match))
         best = max(candidates, key=lambda c: c[:2], default=None)

@@ -5,7 +5,6 @@
 #include "core/geometry/error.h"
 #include "core/machine/gcode_words.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -27,6 +26,8 @@ struct State {
   int tool_number = 0;
   Vec3 at = Vec3::Zero();
   bool known[3] = {false, false, false};
+  std::array<double, 3> angles{};  // A B C, degrees
+  bool tcp = false;
   bool known_position() const { return known[0] && known[1] && known[2]; }
 };
 
@@ -34,16 +35,20 @@ struct Line {
   std::string_view text;
   long number = 0;
   double axis[3] = {kUnknownTurns, kUnknownTurns, kUnknownTurns};
-  double f = kUnknownTurns, k = kUnknownTurns, p = kUnknownTurns;
+  double angle[3] = {kUnknownTurns, kUnknownTurns, kUnknownTurns};  // A B C, degrees
+  double f = kUnknownTurns, p = kUnknownTurns;
+  double lead[3] = {kUnknownTurns, kUnknownTurns, kUnknownTurns};  // I J K
   bool dwell = false;
   bool moves() const {
-    return !std::isnan(axis[0]) || !std::isnan(axis[1]) || !std::isnan(axis[2]);
+    bool any = false;
+    for (int i = 0; i < 3; ++i) any = any || !std::isnan(axis[i]) || !std::isnan(angle[i]);
+    return any;
   }
 };
 
 class Reader {
  public:
-  explicit Reader(const BallEndMill& tool) : tool_(tool) {}
+  Reader(const BallEndMill& tool, const ReadOptions& options) : tool_(tool), options_(options) {}
   void read(std::string_view text, long number);
   Program take() {
     close_section();
@@ -56,14 +61,17 @@ class Reader {
   void m_code(int code, const Line& line);
   void move(const Line& line);
   void dwell(const Line& line);
-  double turns_of(const Line& line, double length) const;
-  void append(const Vec3& end, double turns, MoveKind kind, long line);
+  double turns_of(const Line& line, const Vec3& way, double turned) const;
+  double lead_of(const Line& line, const Vec3& way) const;
+  void append(const Vec3& end, const std::array<double, 3>& angles, double turns, MoveKind kind,
+              long line);
   void close_section();
   [[noreturn]] void refuse(const Line& line, const std::string& why) const {
     refuse_gcode(line.number, std::string(line.text), why);
   }
 
   BallEndMill tool_;
+  ReadOptions options_;
   State state_;
   ProgramSection section_;
   Program program_;
@@ -73,12 +81,13 @@ void Reader::read(std::string_view text, long number) {
   Line line;
   line.text = text;
   line.number = number;
-  const std::vector<GcodeWord> words = gcode_words(text, number);
+  const std::vector<GcodeWord> words = dialect_words(options_.dialect, text, number);
   for (const GcodeWord& w : words)  // S comes before M3 in a block's order of execution
     if (w.letter == 'S') word(w, line);
   for (const GcodeWord& w : words)
     if (w.letter != 'S') word(w, line);
-  if (!std::isnan(line.f))
+  const bool is_lead = state_.motion == Motion::Synchronised && options_.dialect == Dialect::Fanuc;
+  if (!std::isnan(line.f) && !is_lead)
     state_.feed = line.f * (state_.mode == FeedMode::PerMinute ? state_.unit : 1.0);
   if (line.dwell) dwell(line);
   if (line.moves()) move(line);
@@ -98,13 +107,18 @@ void Reader::word(const GcodeWord& w, Line& line) {
     case 'A':
     case 'B':
     case 'C':
-      if (w.value != 0.0) refuse(line, "a rotary axis moves: reading it needs a machine file.");
+      if (options_.rotary)
+        line.angle[w.letter - 'A'] = w.value;
+      else if (w.value != 0.0)
+        refuse(line, "a rotary axis moves: reading it needs a machine file.");
       return;
     case 'F':
       line.f = w.value;
       return;
+    case 'I':
+    case 'J':
     case 'K':
-      line.k = w.value;
+      line.lead[w.letter - 'I'] = w.value;
       return;
     case 'P':
       line.p = w.value;
@@ -147,16 +161,22 @@ void Reader::g_code(int tenths, Line& line) {
       return;
     case 930:
     case 940:
+      if ((tenths == 930) == (state_.mode == FeedMode::InverseTime)) return;
       state_.mode = tenths == 930 ? FeedMode::InverseTime : FeedMode::PerMinute;
       state_.feed = 0.0;  // F must be given again
       return;
     case 800:
       state_.motion = Motion::None;
       return;
+    case 434:  // tool-centre-point control
+      state_.tcp = true;
+      return;
+    case 490:
+      state_.tcp = false;
+      return;
     case 170:  // plane: matters to arcs only
     case 400:  // no radius compensation
     case 430:  // tool length compensation: the programmed point is the tip
-    case 490:
     case 540:  // work offset: the program's own frame is read
     case 550:
     case 560:
@@ -185,6 +205,10 @@ void Reader::m_code(int code, const Line& line) {
     case 6:  // a tool change stops the spindle
       state_.running_speed = 0.0;
       return;
+    case 428:  // TCP, in LinuxCNC's table-rotary-tilting configurations
+    case 429:
+      state_.tcp = code == 428;
+      return;
     case 0:
     case 1:
     case 2:
@@ -198,17 +222,31 @@ void Reader::m_code(int code, const Line& line) {
   }
 }
 
-double Reader::turns_of(const Line& line, double length) const {
+// G33's lead along the path. Where it is told along the axis that moves most, the path's is longer.
+double Reader::lead_of(const Line& line, const Vec3& way) const {
+  Eigen::Index most = 0;
+  const double longest = way.cwiseAbs().maxCoeff(&most);
+  double lead = line.lead[2];
+  if (options_.dialect == Dialect::Fanuc) lead = line.f;
+  if (options_.dialect == Dialect::Siemens) lead = line.lead[most];
+  if (!(lead > 0.0))
+    refuse(line,
+           fmt::format("G33 needs a lead ({}) greater than zero.", lead_letters(options_.dialect)));
+  return lead * state_.unit *
+         (options_.dialect == Dialect::LinuxCnc || longest == 0.0 ? 1.0 : way.norm() / longest);
+}
+
+double Reader::turns_of(const Line& line, const Vec3& way, double turned) const {
   if (state_.motion == Motion::Rapid) return kUnknownTurns;
-  if (state_.motion == Motion::Synchronised) {
-    if (!(line.k > 0.0)) refuse(line, "G33 needs a K word greater than zero.");
-    return length / (line.k * state_.unit);
-  }
+  const double length = way.norm();
+  if (state_.motion == Motion::Synchronised) return length / lead_of(line, way);
   if (state_.mode == FeedMode::InverseTime && std::isnan(line.f))
     refuse(line, "G93 needs an F word on every G1.");
   if (!(state_.feed > 0.0)) refuse(line, "no feed has been given.");
-  const double minutes =
-      state_.mode == FeedMode::InverseTime ? 1.0 / state_.feed : length / state_.feed;
+  // F is of X Y Z if one of them moves, else degrees a minute
+  const double minutes = state_.mode == FeedMode::InverseTime ? 1.0 / state_.feed
+                         : length > 0.0                       ? length / state_.feed
+                                                              : turned * state_.unit / state_.feed;
   return minutes * 60.0 * state_.running_speed;
 }
 
@@ -216,16 +254,21 @@ void Reader::move(const Line& line) {
   if (state_.motion == Motion::None) refuse(line, "no G0, G1 or G33 is in force.");
   const bool was_known = state_.known_position();
   Vec3 end = state_.at;
-  for (int i = 0; i < 3; ++i)
+  double turned = 0.0;
+  std::array<double, 3> angles = state_.angles;
+  for (int i = 0; i < 3; ++i) {
     if (!std::isnan(line.axis[i])) {
       end[i] = line.axis[i] * state_.unit;
       state_.known[i] = true;
     }
-  const double length = (end - state_.at).norm();
-  const double turns = turns_of(line, length);
-  if (length == 0.0 && was_known) return;
+    if (!std::isnan(line.angle[i])) angles[i] = line.angle[i];
+    turned = std::hypot(turned, angles[i] - state_.angles[i]);
+  }
+  const Vec3 way = end - state_.at;
+  const double turns = turns_of(line, way, turned);
+  if (way.norm() == 0.0 && turned == 0.0 && was_known) return;
   const bool timed = was_known && state_.running_speed > 0.0;
-  append(end, timed ? turns : kUnknownTurns,
+  append(end, angles, timed ? turns : kUnknownTurns,
          state_.motion == Motion::Rapid ? MoveKind::Rapid : MoveKind::Cut, line.number);
   if (!was_known) ++section_.unplaced;
 }
@@ -233,11 +276,18 @@ void Reader::move(const Line& line) {
 void Reader::dwell(const Line& line) {
   if (std::isnan(line.p)) refuse(line, "G4 needs a P word.");
   const bool turning = state_.running_speed > 0.0;
-  append(state_.at, turning ? line.p * state_.running_speed : kUnknownTurns, MoveKind::Link,
-         line.number);
+  append(state_.at, state_.angles, turning ? line.p * state_.running_speed : kUnknownTurns,
+         MoveKind::Link, line.number);
 }
 
-void Reader::append(const Vec3& end, double turns, MoveKind kind, long line) {
+std::array<double, 3> radians(const std::array<double, 3>& degrees) {
+  std::array<double, 3> out{};
+  for (std::size_t i = 0; i < 3; ++i) out[i] = Angle::degrees(degrees[i]).radians();
+  return out;
+}
+
+void Reader::append(const Vec3& end, const std::array<double, 3>& angles, double turns,
+                    MoveKind kind, long line) {
   const Spindle spindle{state_.running_speed, state_.sense};
   ToolPath& path = section_.path;
   const bool same = path.spindle.speed == spindle.speed && path.spindle.sense == spindle.sense &&
@@ -246,10 +296,16 @@ void Reader::append(const Vec3& end, double turns, MoveKind kind, long line) {
     close_section();
     section_.tool_number = state_.tool_number;
     path = ToolPath{tool_, spindle, {state_.at, Vec3::UnitZ()}, {}};
+    if (options_.rotary) section_.angles.push_back(radians(state_.angles));
   }
   path.moves.push_back({{end, Vec3::UnitZ()}, turns, kNoDimple, kind});
   section_.lines.push_back(line);
+  if (options_.rotary) {
+    section_.angles.push_back(radians(angles));
+    section_.tcp.push_back(state_.tcp);
+  }
   state_.at = end;
+  state_.angles = angles;
 }
 
 void Reader::close_section() {
@@ -259,8 +315,8 @@ void Reader::close_section() {
 
 }  // namespace
 
-Program read_gcode(std::string_view text, const BallEndMill& tool) {
-  Reader reader(tool);
+Program read_gcode(std::string_view text, const BallEndMill& tool, const ReadOptions& options) {
+  Reader reader(tool, options);
   long number = 0;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
@@ -268,41 +324,6 @@ Program read_gcode(std::string_view text, const BallEndMill& tool) {
     text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
   }
   return reader.take();
-}
-
-PlanMatch match_plan(ToolPath& read, const ToolPath& plan, double tolerance) {
-  PlanMatch match;
-  match.complete = true;
-  std::size_t r = 0;
-  for (const Move& planned : plan.moves) {
-    if (planned.kind == MoveKind::Rapid) continue;
-    if (!match.complete) {
-      ++match.lost_moves;
-      continue;
-    }
-    // the next timed move of the text that ends where the planned one does
-    std::int64_t passed = 0;
-    for (; r < read.moves.size(); ++r) {
-      const Move& move = read.moves[r];
-      if (move.kind == MoveKind::Rapid) continue;
-      if ((move.end.tip - planned.end.tip).norm() <= tolerance) break;
-      ++passed;
-    }
-    match.extra_moves += passed;
-    if (r == read.moves.size()) {
-      match.complete = false;
-      ++match.lost_moves;
-      continue;
-    }
-    Move& move = read.moves[r++];
-    move.kind = planned.kind;
-    move.dimple = planned.dimple;
-    match.largest_miss = std::max(match.largest_miss, (move.end.tip - planned.end.tip).norm());
-    if (planned.dimple != kNoDimple) ++match.found;
-  }
-  for (; r < read.moves.size(); ++r)
-    if (read.moves[r].kind != MoveKind::Rapid) ++match.extra_moves;
-  return match;
 }
 
 }  // namespace patchmill

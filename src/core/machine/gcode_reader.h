@@ -1,13 +1,15 @@
 // From posted G-code back to ToolPath, so that a claim about a program is a claim about the text
-// that the machine gets. Reads the plain dialect of RS-274 that FreeCAD's posts write for
-// three-axis paths.
+// that the machine gets. Reads the plain dialect of RS-274 that FreeCAD's posts write, and the dialects of
+// dialect.h.
 //     G94: t = length / F        G93: t = 1 / F min        G33: turns = length / K
 // and spindle turns = t S. A word that is not known is refused, never skipped.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/machine/dialect.h"
 #include "core/path/tool_path.h"
 
+#include <array>
 #include <string_view>
 
 namespace patchmill {
@@ -18,19 +20,29 @@ struct ProgramSection {
   ToolPath path;              ///< tool: radius as given, axis +Z; dimple numbers are unset
   std::vector<long> lines;    ///< line of the text (from 1) that made each move
   std::int64_t unplaced = 0;  ///< moves at the beginning that start nobody knows where
+  /// A, B and C at the start and at the end of each move [rad]; empty if rotary words are refused.
+  std::vector<std::array<double, 3>> angles;
+  std::vector<bool> tcp;  ///< whether TCP was on in each move; empty if rotary words are refused
+};
+
+struct ReadOptions {
+  Dialect dialect = Dialect::LinuxCnc;
+  /// Rotary words are read: the path's points are then the programmed ones, and its axes are not set
+  /// (see programmed_path.h for what they mean in the work).
+  bool rotary = false;
 };
 
 struct Program {
   std::vector<ProgramSection> sections;  ///< those with moves
 };
 
-/// Reads `text`. G1 moves are MoveKind::Cut (the text does not tell links apart, see match_plan),
+/// Reads `text` as options say. G1 moves are MoveKind::Cut (the text does not tell links apart, see match_plan),
 /// G0 moves Rapid with unknown turns; so are timed moves while the spindle stands, and moves whose
 /// feed was never given are refused. Blocks that move nothing and take no time are no moves. The
 /// first position counts as known once X, Y and Z were all given; moves before that have unknown
 /// turns. Errors: InputError "G-code line n" for anything not understood: arcs, cycles, G91, rotary
-/// words other than 0, variables, unknown codes.
-Program read_gcode(std::string_view text, const BallEndMill& tool);
+/// words other than 0 unless they are to be read, variables, unknown codes.
+Program read_gcode(std::string_view text, const BallEndMill& tool, const ReadOptions& options = {});
 
 struct PlanMatch {
   bool complete = false;         ///< every timed move of the plan was found, in order

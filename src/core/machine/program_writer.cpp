@@ -1,0 +1,256 @@
+// The writer of all dialects; see program_writer.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/machine/program_writer.h"
+
+#include "core/geometry/error.h"
+#include "core/machine/program_text.h"
+
+#include <fmt/format.h>
+
+namespace patchmill {
+namespace {
+
+class Writer {
+ public:
+  explicit Writer(const ProgramStyle& style)
+      : style_(style), out_(style), words_(words_of(style)) {}
+
+  std::string write(const std::vector<std::string>& texts) {
+    out_.begin();
+    for (const std::string& line : style_.header) out_.comment(line);
+    out_.lines(style_.preamble.empty() ? words_.preamble : style_.preamble);
+    long number = 0;
+    for (const std::string& text : texts) {
+      std::string_view rest = text;
+      while (!rest.empty()) {
+        const std::size_t end = rest.find('\n');
+        one_line(rest.substr(0, end), ++number);
+        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+      }
+    }
+    tcp(false);
+    if (inverse_) out_.line(words_.per_minute);
+    out_.lines(style_.postamble.empty() ? words_.postamble : style_.postamble);
+    return out_.end();
+  }
+
+ private:
+  struct Block {
+    std::string_view text;
+    long number = 0;
+    int g = -1;  // tenths
+    int m = -1;
+    std::array<double, 26> value{};
+    std::array<bool, 26> has{};
+    bool gives(char letter) const { return has[static_cast<std::size_t>(letter - 'A')]; }
+    double get(char letter) const { return value[static_cast<std::size_t>(letter - 'A')]; }
+  };
+
+  [[noreturn]] void refuse(const Block& block, const std::string& remedy) const {
+    throw InputError("Path", "'" + std::string(block.text) + "'", remedy);
+  }
+
+  void one_line(std::string_view text, long number) {
+    if (text.empty()) return;
+    if (text[0] == '(') {
+      if (style_.comments) out_.comment(text.substr(1, text.size() - (text.back() == ')' ? 2 : 1)));
+      return;
+    }
+    Block block;
+    block.text = text;
+    block.number = number;
+    for (const GcodeWord& w : gcode_words(text, number)) {
+      if (w.letter == 'G')
+        block.g = static_cast<int>(w.value * 10.0 + 0.5);
+      else if (w.letter == 'M')
+        block.m = static_cast<int>(w.value + 0.5);
+      block.value[static_cast<std::size_t>(w.letter - 'A')] = w.value;
+      block.has[static_cast<std::size_t>(w.letter - 'A')] = true;
+    }
+    if (block.m >= 0) return machine_word(block);
+    if (block.g == 0 || block.g == 10 || block.g == 330) return move(block);
+    if (block.g >= 0) return preparatory(block);
+    if (block.gives('S') || block.gives('T') || block.gives('F')) return;  // given where it counts
+    refuse(block, "no G or M word: this block is not written.");
+  }
+
+  void machine_word(const Block& block) {
+    if (block.m == 3 || block.m == 4) {
+      if (block.gives('S')) speed_ = block.get('S');
+      return start_spindle(block.m);
+    }
+    if (block.m == 2 || block.m == 30) return;  // the postamble's
+    if (block.m == 6) return tool_change(block);
+    if (block.m == 428 || block.m == 128) return tcp(true);
+    if (block.m == 429 || block.m == 129) return tcp(false);
+    out_.line(fmt::format("M{}", block.m));
+  }
+  void start_spindle(int sense) {
+    if (style_.dialect == Dialect::LinuxCnc)
+      return out_.line(fmt::format("M{} S{:.0f}", sense, speed_));
+    if (style_.dialect != Dialect::Heidenhain)
+      return out_.line(fmt::format("S{:.0f} M{}", speed_, sense));
+    call_tool(fmt::format(" S{:.0f}", speed_));
+    out_.line(fmt::format("M{}", sense));
+  }
+  /// Heidenhain's TOOL CALL, which wants the speed that FreeCAD gives later; without a change it sets
+  /// the speed alone.
+  void call_tool(const std::string& speed) {
+    out_.line(pending_tool_ ? fmt::format("TOOL CALL {} Z{}", tool_, speed) : "TOOL CALL" + speed);
+    pending_tool_ = false;
+    out_.forget();
+  }
+  /// TCP off, stop, change; the spindle starts after it.
+  void tool_change(const Block& block) {
+    tcp(false);
+    const int tool = block.gives('T') ? static_cast<int>(block.get('T')) : 0;
+    tool_ = tool;
+    if (style_.dialect == Dialect::Heidenhain) {
+      pending_tool_ = true;
+      return;
+    }
+    out_.line("M5");
+    if (style_.dialect == Dialect::Siemens) {
+      out_.line(fmt::format("T{} D1", tool));
+      return out_.line("M6");
+    }
+    out_.line(fmt::format("T{} M6", tool));
+    if (style_.tool_length) out_.line(fmt::format("G43 H{}", tool));
+    out_.forget();
+  }
+  void tcp(bool on) {
+    if (on == tcp_) return;
+    tcp_ = on;
+    if (!on && !style_.smoothing_off.empty()) out_.lines(style_.smoothing_off);
+    out_.lines(on ? with_number(words_.tcp_on, tool_) : words_.tcp_off);
+    if (on && !style_.smoothing_on.empty()) out_.lines(style_.smoothing_on);
+    out_.forget();
+  }
+
+  void preparatory(const Block& block) {
+    if (block.g == 930 || block.g == 940) {
+      const bool inverse = block.g == 930;
+      if (inverse != inverse_ && style_.dialect != Dialect::Heidenhain)
+        out_.line(inverse ? words_.inverse : words_.per_minute);
+      inverse_ = inverse;
+      return;
+    }
+    if (block.g == 434) return tcp(true);
+    if (block.g == 490 && tcp_) return tcp(false);
+    if (block.g == 610) return path_mode(words_.exact_stop);
+    if (block.g == 640) return path_mode(rounding(block));
+    if (block.g == 40) return dwell(block);
+    if (style_.dialect == Dialect::Heidenhain || style_.dialect == Dialect::Siemens) {
+      // states that the preamble sets; work offsets are chosen at the control
+      if (block.g == 170 || block.g == 210 || block.g == 400 || block.g == 430 || block.g == 490 ||
+          block.g == 800 || block.g == 900 || (block.g >= 540 && block.g <= 590))
+        return;
+      refuse(block, fmt::format("{} has no such block here: post cycles and arcs with another "
+                                "post-processor.",
+                                name(style_.dialect)));
+    }
+    out_.plain(block.g, [&](char letter, double& value) {
+      value = letter == 'F' ? 60.0 * block.get(letter) : block.get(letter);
+      return block.gives(letter);
+    });
+  }
+  std::string rounding(const Block& block) const {
+    const double within = block.gives('P') ? block.get('P') : 0.0;
+    if (style_.dialect == Dialect::LinuxCnc) return fmt::format("G64 P{:.6f} Q0", within);
+    if (style_.dialect == Dialect::Siemens) return fmt::format("G641 ADIS={:.6f}", within);
+    return words_.rounding;
+  }
+  void path_mode(const std::string& word) {
+    if (word.empty() || word == path_mode_) return;
+    path_mode_ = word;
+    out_.line(word);
+    out_.forget_word();
+  }
+  void dwell(const Block& block) {
+    if (style_.dialect == Dialect::Heidenhain) {
+      out_.line("CYCL DEF 9.0 DWELL TIME");
+      return out_.line(fmt::format("CYCL DEF 9.1 DWELL {:.3f}", block.get('P')));
+    }
+    const char letter = style_.dialect == Dialect::Siemens ? 'F' : 'P';
+    const double seconds = block.get('P');
+    // Fanuc's P is in milliseconds
+    if (style_.dialect == Dialect::Fanuc)
+      return out_.line(fmt::format("G4 P{:.0f}", 1e3 * seconds));
+    out_.line(fmt::format("G4 {}{:.3f}", letter, seconds));
+  }
+
+  void move(const Block& block) {
+    MoveBlock m;
+    m.motion = block.g == 0 ? Motion::Rapid : block.g == 10 ? Motion::Feed : Motion::Locked;
+    Vec3 way = Vec3::Zero();
+    bool turned = false;
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+      const char letter = kAxes[i];
+      m.given[i] = block.gives(letter);
+      if (!m.given[i]) continue;
+      m.value[i] = block.get(letter);
+      if (i >= 3) turned = turned || !known_[i] || m.value[i] != at_[i];
+      if (i < 3 && known_[i]) way[static_cast<Eigen::Index>(i)] = m.value[i] - at_[i];
+      at_[i] = m.value[i];
+      known_[i] = true;
+    }
+    if (block.gives('F')) feed_ = 60.0 * block.get('F');
+    m.feed = feed_;
+    m.inverse = inverse_;
+    if (m.motion == Motion::Feed && inverse_ && !block.gives('F'))
+      refuse(block, "in inverse time (G93) every G1 needs its F.");
+    if (m.motion == Motion::Locked) m.lead = lead(block, way, turned);
+    if (pending_tool_) call_tool("");
+    if (m.motion == Motion::Feed && style_.dialect == Dialect::Heidenhain && inverse_) {
+      // no inverse time in plain text: the feed that takes as long, or the time itself
+      if (way.norm() > 0.0)
+        m.feed = way.norm() * feed_;
+      else
+        m.seconds = 60.0 / feed_;
+      m.inverse = false;
+    }
+    out_.move(m);
+  }
+  LeadWord lead(const Block& block, const Vec3& way, bool turned) const {
+    if (!block.gives('K')) refuse(block, "G33 needs its K word.");
+    const double pitch = block.get('K');
+    if (style_.dialect == Dialect::LinuxCnc) return {'K', pitch};
+    if (style_.dialect == Dialect::Heidenhain)
+      throw InputError(
+          "Strategy", "Spindle-locked",
+          "Heidenhain's plain text has no block that follows the spindle: use feed per "
+          "move or constant feed.");
+    if (turned)
+      throw InputError(
+          "Strategy", "Spindle-locked",
+          fmt::format("a rotary axis turns in a G33 block, which {} cannot: keep one tool "
+                      "axis for the whole texture, or use feed per move.",
+                      name(style_.dialect)));
+    Eigen::Index most = 0;
+    const double longest = way.cwiseAbs().maxCoeff(&most), length = way.norm();
+    const double along = length > 0.0 ? pitch * longest / length : pitch;
+    return {style_.dialect == Dialect::Fanuc ? 'F' : "IJK"[most], along};
+  }
+
+  static constexpr std::string_view kAxes = "XYZABC";
+  const ProgramStyle& style_;
+  ProgramText out_;
+  DialectWords words_;
+  std::array<double, 6> at_{};
+  std::array<bool, 6> known_{};
+  double feed_ = 0.0, speed_ = 0.0;
+  int tool_ = 1;
+  bool tcp_ = false, inverse_ = false, pending_tool_ = false;
+  std::string path_mode_;
+};
+
+}  // namespace
+
+std::string write_program(const std::vector<std::string>& texts, const ProgramStyle& style) {
+  if (style.precision < 0 || style.precision > 6)
+    throw InputError("PostProcessorArgs", fmt::format("--precision={}", style.precision),
+                     "give 0 to 6 decimals.");
+  return Writer(style).write(texts);
+}
+
+}  // namespace patchmill

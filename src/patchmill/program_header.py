@@ -1,0 +1,74 @@
+"""The lines at the top of a program that tell a machinist what it is and what has to be set: part, tool,
+machine, strategy, turns per dimple, time, where the phase is counted from.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from patchmill import machines
+
+
+def textures(objects):
+    """The texture operations among a post's objects that have a plan."""
+    return [o for o in objects if getattr(getattr(o, "Proxy", None), "planned", None) is not None]
+
+
+def machine_of(objects):
+    """The machines.Machine of the first texture that names one, or None."""
+    for op in textures(objects):
+        if op.Proxy.planned.machine is not None:
+            return op.Proxy.planned.machine
+    return None
+
+
+def smoothing(objects):
+    """The machine file's words that switch smoothing on and off, each '' if it has none."""
+    machine = machine_of(objects)
+    if machine is None:
+        return "", ""
+    return machine.controller.get("smoothing_on", ""), machine.controller.get("smoothing_off", "")
+
+
+def lines(objects, controller):
+    """Header lines for a program of `objects` on `controller`."""
+    out = ["PatchMill for %s" % controller]
+    for op in textures(objects):
+        out += _texture(op)
+    machine = machine_of(objects)
+    if machine is not None:
+        out.append("Machine: %s" % machine.data["name"])
+        for line in machine.controller["operator"]:
+            out.append("Operator: %s" % line)
+    return [line.encode("ascii", "replace").decode("ascii") for line in out]
+
+
+def _texture(op):
+    plan = op.Proxy.planned
+    given, statistics = plan.input, plan.path.statistics()
+    spindle = given.spindle
+    machine = plan.machine
+    seconds = statistics["timed_seconds"]
+    turns = statistics["cut_turns"] / max(1, statistics["dimples"])
+    yield "Part: %s" % op.Document.Label
+    yield "Texture: %s, %d dimples" % (op.Label, statistics["dimples"])
+    yield "Tool: ball end mill D%g, %d flutes, S%g %s" % (
+        2.0 * given.tool.radius,
+        given.tool.flutes,
+        60.0 * spindle.speed,
+        spindle.sense,
+    )
+    yield "Strategy: %s, %.2f spindle turns per dimple" % (given.strategy, turns)
+    yield "Time without rapids: %d min %02d s" % divmod(round(seconds), 60)
+    start = machine.data["start_phase_degrees"] if machine else 0.0
+    yield "Phase zero: flute 1 towards X+ at the spindle's index, start phase %.2f degrees" % start
+    yield "Operator: work zero as in the model, feed override 100 %, spindle override 100 %"
+    posture = getattr(plan, "posture", None)
+    if posture is not None:
+        yield "Operator: tool length to the %s; %s" % (
+            posture.reference,
+            "TCP is used" if posture.form.tcp else "made for this machine's pivots and this work zero",
+        )
+
+
+def machine_names():
+    """Keys of the machine files, for choices."""
+    return machines.names()
