@@ -1,6 +1,6 @@
 // Speed of the cutter-mark simulator: flute-cell evaluations per second, on one and two threads,
-// against the arithmetic limit of one core measured in the same run; and one million dimples on a
-// 0.02 mm grid.
+// against the arithmetic limit of one core measured in the same run; what a dimple costs as dimples and
+// area grow; and one million dimples on a 0.02 mm grid.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/simulate.h"
 
@@ -14,8 +14,7 @@ namespace {
 
 constexpr double kSpacing = 0.5;  // of the dimples [mm]
 
-/// Rows of dimples to and fro, one tooth of a two-flute mill per dimple, R = 1, tilted by 30
-/// degrees.
+/// Rows of dimples to and fro, one tooth of a two-flute mill per dimple, R = 1.
 ToolPath rows(int columns, int count, double tilt) {
   ToolPath path;
   path.tool = {1.0, 2};
@@ -96,6 +95,33 @@ BENCHMARK(flute_cells)
     ->Args({2, 45})
     ->Args({1, 30})
     ->Args({2, 30})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// So many dimples a side on a grid of so many: what is looked at is the dimples, not the area.
+void dimples_on_area(benchmark::State& state) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 1);
+  const int side = static_cast<int>(state.range(0)), area = static_cast<int>(state.range(1));
+  const ToolPath path = rows(side, side, kPi / 4);
+  const ToolMotion motion = motion_of(path);
+  const SurfaceGrid grid = grid_over(area, area, 0.02);
+  std::int64_t dimples = 0, evaluations = 0;
+  for (auto _ : state) {
+    const SimulatedRelief out = simulate_marks(motion, {path.tool, {}, {}}, grid, {0.08});
+    dimples += static_cast<std::int64_t>(path.moves.size());
+    evaluations += out.statistics.evaluations;
+  }
+  state.counters["dimples/s"] =
+      benchmark::Counter(static_cast<double>(dimples), benchmark::Counter::kIsRate);
+  state.counters["evaluations/dimple"] =
+      static_cast<double>(evaluations) / static_cast<double>(dimples);
+}
+BENCHMARK(dimples_on_area)
+    ->Args({40, 160})
+    ->Args({80, 160})
+    ->Args({160, 160})
+    ->Args({40, 80})
+    ->Args({40, 40})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 

@@ -5,6 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import os
 import pathlib
+import runpy
 import sys
 import tempfile
 import unittest
@@ -15,7 +16,7 @@ import Part
 import patchmill
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from recipe import small_job  # noqa: E402
+from recipe import ROOT, small_job  # noqa: E402
 
 
 def tilted_job(name):
@@ -139,6 +140,21 @@ class Simulate(unittest.TestCase):
             bottoms = result.found["bottoms"][result.found["found"]]
             two = bottoms.max() - bottoms.min() > 0.004
             self.assertEqual(two, spread, (bottoms.min(), bottoms.max()))
+
+
+class Matsuda(unittest.TestCase):
+    def test_arrays_are_recognised_from_their_marks(self):
+        """The three states of Matsuda 2008, Fig. 2, each from a relief of one patch of the free form."""
+        recipe = runpy.run_path(str(ROOT / "Resources" / "recipes" / "matsuda2008" / "run.py"))
+        for array in recipe["ARRAYS"]:
+            with self.subTest(array):
+                document, _, op = recipe["make"]("inclined plane", array)
+                op.PatchesX = op.PatchesY = 1
+                patchmill.recompute(op)
+                result = patchmill.simulate(op)
+                self.assertEqual(result.alignment["state"], array, result.alignment)
+                self.assertGreater(result.alignment["rows"], 4)
+                FreeCAD.closeDocument(document.Name)
 
 
 class Surfaces(unittest.TestCase):

@@ -86,18 +86,19 @@ AlignmentResult classify_alignment(const std::vector<Vec2>& places, const RowLay
   require_positive("CrossFeed", layout.cross_feed, "mm");
   AlignmentResult result;
   Phasor all;
-  double pairs = 0.0;
+  double pairs = 0.0, sums = 0.0;
   for (const auto& [row, sum] : sum_shifts(places, layout)) {
     if (sum.pairs < 2) continue;  // one mark agrees with itself
     const double agreement = std::abs(sum.sum) / sum.pairs;
     result.rows.push_back({row, share_of(sum.sum), agreement, sum.pairs});
-    if (agreement > 0.0) all += sum.sum / std::abs(sum.sum);
+    all += sum.sum;  // a row counts by its marks: a stray one makes no row of its own
+    sums += std::abs(sum.sum);
     result.row_agreement += agreement * sum.pairs;
     pairs += sum.pairs;
   }
   if (!result.rows.empty()) {
     result.row_agreement /= pairs;
-    result.agreement = std::abs(all) / static_cast<double>(result.rows.size());
+    result.agreement = sums > 0.0 ? std::abs(all) / sums : 0.0;
     result.shift = share_of(all);
   }
   result.state = state_of(result, options);

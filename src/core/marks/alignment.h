@@ -38,7 +38,7 @@ struct RowShift {
 struct AlignmentResult {
   Alignment state = Alignment::Unknown;
   double shift = 0.0;          ///< mean over all pairs of rows, share of f_z, 0 .. 1
-  double agreement = 0.0;      ///< of the pairs of rows on one shift, 0 .. 1
+  double agreement = 0.0;      ///< of the pairs of rows on one shift, by their marks, 0 .. 1
   double row_agreement = 0.0;  ///< of the marks within pairs of rows, mean, 0 .. 1
   std::vector<RowShift> rows;
 };

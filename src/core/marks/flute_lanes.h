@@ -23,11 +23,12 @@ struct Lanes3 {
   Lanes x, y, z;
 };
 
-constexpr int kSurelyNewton = 2;    // steps that every chunk takes
-constexpr float kNearAxis = 1.2f;   // above 1: a margin for what is curved
-constexpr float kFarSide = 0.4f;    // the azimuth runs against the spindle: Newton may miss it
-constexpr float kTipDisc = 0.015f;  // the way of the point is a little curved
-constexpr float kTipWidth = 1e-4f;  // [mm]; so near to the tip all azimuths are one
+constexpr int kSurelyNewton = 2;     // steps that every chunk takes
+constexpr float kNearAxis = 1.2f;    // above 1: a margin for what is curved
+constexpr float kFarSide = 0.4f;     // the azimuth runs against the spindle: Newton may miss it
+constexpr float kTipDisc = 0.015f;   // the way of the point is a little curved
+constexpr float kTimeSlack = 0.05f;  // [rad] about the times at which a cell may be cut
+constexpr float kTipWidth = 1e-4f;   // [mm]; so near to the tip all azimuths are one
 constexpr int kMostCrossings = 3;
 constexpr int kSecants = 7;
 constexpr int kGroup = 4;                // registers that take turns
@@ -147,6 +148,7 @@ struct FlatCells {
     x[lane] = from.x[other];
     y[lane] = from.y[other];
   }
+  PATCHMILL_INLINE Lanes3 normal() const { return {all(0.0f), all(0.0f), all(1.0f)}; }
   PATCHMILL_INLINE Lanes guess(const PassFrame& pass) const {
     return pass.guess + x * pass.guess_gradient[0] + y * pass.guess_gradient[1];
   }
@@ -175,6 +177,7 @@ struct CurvedCells {
     n.y[lane] = from.n.y[other];
     n.z[lane] = from.n.z[other];
   }
+  PATCHMILL_INLINE Lanes3 normal() const { return n; }
   PATCHMILL_INLINE Lanes guess(const PassFrame& pass) const {
     return pass.guess + p.x * pass.guess_gradient[0] + p.y * pass.guess_gradient[1] +
            p.z * pass.guess_gradient[2];
