@@ -70,17 +70,6 @@ def tilings():
     save(figure, "patch-shapes")
 
 
-def nine():
-    d = read("nine")
-    figure, all_axes = plt.subplots(3, 3, figsize=(12, 10.5), layout="constrained")
-    for s, shape in enumerate(("square", "hexagon", "triangle")):
-        for k, kind in enumerate(("planar", "pyramid", "curved")):
-            one = d[(d["panel"] == 10 * s + k) & (d["state"] == "cut")]
-            relief(all_axes[s][k], one, size=4.0, light=(-0.5, -0.55, 0.68), dark=0.1)
-            bare(all_axes[s][k], f"{shape}, {kind}: {len(one)} dimples")
-    save(figure, "patch-surfaces", dpi=80)
-
-
 def matsuda():
     d = read("marks")
     with open(os.path.join(SOURCE, "marks_titles.csv"), encoding="utf-8") as lines:
@@ -172,5 +161,5 @@ def masks():
     save(figure, "patch-masks")
 
 
-for draw in (tilings, nine, matsuda, workpieces, fillet, hemisphere, masks):
+for draw in (tilings, matsuda, workpieces, fillet, hemisphere, masks):
     draw()

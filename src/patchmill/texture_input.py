@@ -14,7 +14,7 @@ from patchmill import strategies, texture_mask
 class TextureInput:
     """What a texture is made from. Lengths in mm, angles in degrees, feed in mm/s."""
 
-    breps: list  # faces as BREP texts
+    breps: list  # BREP texts of faces; those in one text share their edges
     tool: core.BallEndMill
     spindle: core.Spindle
     feed: float

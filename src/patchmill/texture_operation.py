@@ -11,6 +11,7 @@ import re
 from dataclasses import dataclass, fields
 
 import FreeCAD
+import Part
 import _patchmill as core
 from _patchmill import InputError
 
@@ -189,15 +190,15 @@ def _mask(obj):
 
 
 def _face_breps(obj):
-    breps = []
+    faces = {}  # by object: faces in one text keep the edges that they share, which are no borders
     for base, names in obj.Base:
         for name in names:
             if not name.startswith("Face"):
                 raise InputError("Base", name or base.Label, "select faces, nothing else.")
-            breps.append(base.Shape.getElement(name).exportBrepToString())
-    if not breps:
+            faces.setdefault(base.Name, []).append(base.Shape.getElement(name))
+    if not faces:
         raise InputError("Base", "nothing", "select at least one face of the job's model.")
-    return breps
+    return [Part.Compound(found).exportBrepToString() for found in faces.values()]
 
 
 def _tool(controller):

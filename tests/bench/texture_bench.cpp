@@ -110,6 +110,12 @@ BENCHMARK(texture)
     ->Args({1000000, 1})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+BENCHMARK(texture)
+    ->ArgNames({"dimples", "threads"})
+    ->Args({10000000, 2})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace patchmill

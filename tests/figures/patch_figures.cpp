@@ -69,21 +69,6 @@ void tilings() {
 }
 
 // Planar, pyramid and curved patches of each shape on a wavy face with a border.
-void nine() {
-  auto out = csv("nine", kDimpleHeader);
-  const TexturePlane plane;
-  const Ray face = trimmed(waves(2.2, 26.0), [](const SurfacePoint& p) {
-    return p.position.head<2>().cwiseAbs().maxCoeff() < 12.0;
-  });
-  for (int s = 0; s < 3; ++s)
-    for (SurfaceKind kind : {SurfaceKind::Planar, SurfaceKind::Pyramid, SurfaceKind::Curved}) {
-      const PatchDivision d = cover({kShapes[s], 0.4, 2 * kSizes[s] - (s == 1 ? 2 : 4)}, box(12.0));
-      Dimples dimples = *sample_patches(d, plane, by_rays(plane, face), {kind});
-      drop_slivers(dimples, 8);
-      write(out, fmt::format("{}{}", s, int(kind)), dimples);
-    }
-}
-
 // Marks of the free form: aligned, staggered, and 1 % of cross-feed too much, and what the advisor
 // makes of the last.
 void matsuda() {
@@ -246,7 +231,6 @@ int main(int argc, char** argv) {
   using namespace patchmill;
   folder = argc > 1 ? argv[1] : ".";
   tilings();
-  nine();
   matsuda();
   workpieces();
   fillet();

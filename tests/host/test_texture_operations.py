@@ -260,6 +260,27 @@ class TheDirection(WithDocuments):
         self.assert_refused(operation, "AutoDirection")
 
 
+class Faces(WithDocuments):
+    def test_an_edge_between_two_of_them_is_no_border(self):
+        box, _ = tilted_box(0.0)
+        edges = [e for e in box.Edges if abs(e.CenterOfMass.y + 8) + abs(e.CenterOfMass.z) < 1e-6]
+        part = box.makeFillet(3.0, edges)
+        part.rotate(V(0, 0, 0), V(0, 1, 0), 15.0)
+        names = []
+        for number, face in enumerate(part.Faces, 1):
+            if isinstance(face.Surface, Part.Cylinder) or face.normalAt(0, 0).z > 0.9:
+                names.append("Face%d" % number)
+        document, operation = job_on(part, names[0])
+        model = operation.Base[0][0]
+        operation.Base = [(model, [name]) for name in names]
+        operation.Margin = 1.0
+        plan = patchmill.recompute(operation)
+        y = plan.dimples.positions[plan.dimples.states == 0][:, 1]
+        self.assertGreater(plan.counts["near an edge"], 50)
+        # the edge that top and fillet share is at y = -5
+        self.assertGreater((abs(y + 5.0) < 1.0).sum(), 100)
+
+
 class TheAdvisor(unittest.TestCase):
     def test_proposals_are_aligned(self):
         wish = dict(diameter=2.0, flutes=2, speed=1000.0, side=14.0, spacing=0.5, cross_feed=0.505)

@@ -42,6 +42,11 @@ std::vector<Planned> plan(const Dimples& dimples, double radius, const PhaseRule
   return planned;
 }
 
+// The next place of the helix; over places left out the tool goes at a safe height.
+bool follows(const Planned& a, const Planned& b) {
+  return a.patch == b.patch && b.number == a.number + 1;
+}
+
 void require_valid(const ConstantFeed& rule, const BallEndMill& tool, const Spindle& spindle) {
   require_positive("Feed", rule.feed * 60.0, "mm/min");
   require_positive("SpindleSpeed", spindle.speed * 60.0, "rpm");
@@ -99,14 +104,15 @@ ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, con
                       p.tip.z(), p.number));
 
   ToolPath path{tool, spindle, {}, {}};
-  path.moves.reserve(2 * planned.size() + 16);
+  std::size_t links = 0;  // of three moves each; others have two
+  for (std::size_t i = 1; i < planned.size(); ++i) links += !follows(planned[i - 1], planned[i]);
+  path.moves.reserve(2 * planned.size() + links + 16);
   PathAccount build(path, turns_per_mm, rule.safe_height);
   build.begin(planned.front().tip, planned.front().number, rule.clearance_height, decimals);
   for (std::size_t i = 1; i < planned.size(); ++i) {
     const Planned &a = planned[i - 1], &b = planned[i];
     const double turns = spindle_advance(a.azimuth, b.azimuth, rule.phase, tool, spindle).turns();
-    // the next place of the helix; over places left out the tool goes at a safe height
-    if (a.patch == b.patch && b.number == a.number + 1)
+    if (follows(a, b))
       step(build, a, b, turns, feed, turns_per_mm, decimals);
     else
       build.link(b.tip, b.number, turns, period, decimals);

@@ -43,33 +43,33 @@ Vec3 main_axis(const Vec3& d) {
 class Legs {
  public:
   Legs(const Vec3& from_a, const Vec3& from_b, const Vec3& side, const Vec3& lift)
-      : leg_{{from_a.squaredNorm(), 2.0 * from_a.dot(side), 2.0 * from_a.dot(lift)},
-             {from_b.squaredNorm(), 2.0 * from_b.dot(side), 2.0 * from_b.dot(lift)}},
-        square_(side.squaredNorm()) {}
+      : a_{from_a.squaredNorm(), 2.0 * from_a.dot(side)},
+        b_{from_b.squaredNorm(), 2.0 * from_b.dot(side)},
+        square_(side.squaredNorm()),
+        slope_(from_a.dot(lift) / from_a.norm() + from_b.dot(lift) / from_b.norm()) {}
 
   struct Step {
     int lift;     // -1, 0 or 1: what comes nearest to the length
     double miss;  // predicted to first order in the lift
   };
   Step nearest(int side, double length) const {
-    double way = 0.0, slope = 0.0;
-    for (const Leg& leg : leg_) {
-      const double l = std::sqrt(leg.at_base + side * (leg.per_side + side * square_));
-      way += l;
-      slope += 0.5 * leg.per_lift / l;
-    }
-    const double missing = length - way;
+    const double missing = length - root(a_, side) - root(b_, side);
     int lift = 0;
-    if (std::abs(missing) > 0.5 * std::abs(slope)) lift = (missing > 0.0) == (slope > 0.0) ? 1 : -1;
-    return {lift, std::abs(missing - lift * slope)};
+    if (std::abs(missing) > 0.5 * std::abs(slope_))
+      lift = (missing > 0.0) == (slope_ > 0.0) ? 1 : -1;
+    return {lift, std::abs(missing - lift * slope_)};
   }
 
  private:
   struct Leg {
-    double at_base, per_side, per_lift;
+    double at_base, per_side;
   };
-  Leg leg_[2];
+  double root(const Leg& leg, int side) const {
+    return std::sqrt(leg.at_base + side * (leg.per_side + side * square_));
+  }
+  Leg a_, b_;
   double square_;
+  double slope_;  // of the way over the lift, at the base
 };
 
 }  // namespace
