@@ -15,6 +15,7 @@ from patchmill.texture_operation import ObjectTexture, planned
 from patchmill.translate import QT_TRANSLATE_NOOP
 from PySide import QtGui
 
+from patchmill_gui import tool_paths
 from patchmill_gui.resources import icon, native, path
 from patchmill_gui.texture_panel import TexturePage
 
@@ -43,10 +44,8 @@ def selected_faces():
 
 def selected_texture():
     """The selected texture operation; the document's only one if none is selected; else None."""
-    selected = [o for o in FreeCADGui.Selection.getSelection() if _is_texture(o)]
-    if not selected and FreeCAD.ActiveDocument:
-        selected = [o for o in FreeCAD.ActiveDocument.Objects if _is_texture(o)]
-    return selected[0] if len(selected) == 1 else None
+    found = tool_paths.selected()
+    return found if _is_texture(found) else None
 
 
 def _is_texture(obj):
@@ -138,16 +137,16 @@ class CalibrationPatch(TextureCommand):
 class Play(Command):
     NAME = "PatchMill_Play"
     TEXT = QT_TRANSLATE_NOOP("PatchMill_Play", "Play the path")
-    TIP = QT_TRANSLATE_NOOP("PatchMill_Play", "Moves the tool along the path of a texture")
+    TIP = QT_TRANSLATE_NOOP("PatchMill_Play", "Moves the tool along a path, with its spindle turning")
 
     def IsActive(self):
-        return selected_texture() is not None and not FreeCADGui.Control.activeDialog()
+        return tool_paths.selected() is not None and not FreeCADGui.Control.activeDialog()
 
     def run(self):
         from patchmill_gui.player import PlayerPanel
 
-        operation = selected_texture()
-        FreeCADGui.Control.showDialog(PlayerPanel(operation, planned(operation)))
+        operation = tool_paths.selected()
+        FreeCADGui.Control.showDialog(PlayerPanel(operation, tool_paths.fresh_path(operation)))
 
 
 class Report(Command):
