@@ -14,6 +14,11 @@ import _patchmill as core
 from PySide import QtCore
 
 
+# Those that have a thread running. A thread must not hold the last reference to its Background: Qt's
+# objects die in the thread that made them, or take the program with them.
+_alive = set()
+
+
 class Background(QtCore.QObject):
     """Signals, all in the GUI thread: `progressed(share, seconds left)`, `finished(result)`,
     `failed(exception)`. A cancelled job gives none of the last two."""
@@ -27,12 +32,15 @@ class Background(QtCore.QObject):
         super().__init__(parent)
         self._number = 0
         self._running = 0
+        self._threads = 0
         self._arrived.connect(self._deliver, QtCore.Qt.QueuedConnection)
 
     def start(self, work):
         """Cancels what is running and starts `work`."""
         self._number += 1
         self._running = self._number
+        self._threads += 1
+        _alive.add(self)
         thread = threading.Thread(target=self._run, args=(work, self._number), daemon=True)
         thread.start()
 
@@ -68,6 +76,10 @@ class Background(QtCore.QObject):
             self._arrived.emit(number, "finished", result)
 
     def _deliver(self, number, what, value):
+        if what != "progressed":
+            self._threads -= 1
+            if not self._threads:
+                _alive.discard(self)
         if number != self._number:
             return
         if what == "progressed":

@@ -149,6 +149,38 @@ class Play(Command):
         FreeCADGui.Control.showDialog(PlayerPanel(operation, tool_paths.fresh_path(operation)))
 
 
+class Simulate(Command):
+    NAME = "PatchMill_Simulate"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_Simulate", "Simulate marks")
+    TIP = QT_TRANSLATE_NOOP("PatchMill_Simulate", "Shows the relief that the tool will leave")
+
+    def IsActive(self):
+        return selected_texture() is not None and not FreeCADGui.Control.activeDialog()
+
+    def run(self):
+        from patchmill_gui.simulate_panel import SimulatePanel
+
+        texture = selected_texture()
+        FreeCADGui.Selection.clearSelection()  # FreeCAD would tint the relief with its selection's colour
+        FreeCADGui.Control.showDialog(SimulatePanel(texture))
+
+
+class Check(Command):
+    NAME = "PatchMill_Check"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_Check", "Check")
+    TIP = QT_TRANSLATE_NOOP(
+        "PatchMill_Check", "Looks for gouges and collisions of ball, shank and holder with the part"
+    )
+
+    def IsActive(self):
+        return selected_texture() is not None and not FreeCADGui.Control.activeDialog()
+
+    def run(self):
+        from patchmill_gui.check_panel import CheckPanel
+
+        FreeCADGui.Control.showDialog(CheckPanel(selected_texture()))
+
+
 class Report(Command):
     NAME = "PatchMill_Report"
     TEXT = QT_TRANSLATE_NOOP("PatchMill_Report", "Report")
@@ -235,7 +267,7 @@ class ExampleXu2016(Command):
 
 
 TEXTURES = (PlanarTexture, PyramidTexture, CurvedTexture)
-COMMANDS = TEXTURES + (CalibrationPatch, Play, Report, Post, ExampleXu2016, Examples)
+COMMANDS = TEXTURES + (CalibrationPatch, Play, Simulate, Check, Report, Post, ExampleXu2016, Examples)
 
 
 def register():

@@ -19,7 +19,7 @@ def label_of(name):
     return words[:1] + words[1:].lower() if not words.endswith(("X", "Y")) else words
 
 
-def _let_shrink(editor):
+def let_shrink(editor):
     """FreeCAD's panel is narrow: a combo box must not be as wide as its longest choice."""
     for widget in [editor] + editor.findChildren(QtGui.QWidget):
         widget.setMinimumWidth(30)
@@ -82,7 +82,7 @@ class PropertyForm(QtCore.QObject):
         for widget in (label, row.editor):
             widget.setToolTip(tip)
         row.editor.setObjectName(name)
-        _let_shrink(row.editor)
+        let_shrink(row.editor)
         row.label = label
         row.error = QtGui.QLabel()
         row.error.setWordWrap(True)

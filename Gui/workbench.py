@@ -20,8 +20,9 @@ def toolbar():
     return (
         [host.NATIVE_COMMANDS["job"]]
         + textures
-        + ["PatchMill_CalibrationPatch", SEPARATOR, "PatchMill_Play", "PatchMill_Report"]
-        + ["PatchMill_Post", "PatchMill_ExampleXu2016"]
+        + ["PatchMill_CalibrationPatch", SEPARATOR, "PatchMill_Play", "PatchMill_Simulate"]
+        + ["PatchMill_Check", "PatchMill_Post", "PatchMill_Report", SEPARATOR]
+        + ["PatchMill_ExampleXu2016"]
     )
 
 

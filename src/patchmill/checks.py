@@ -120,23 +120,51 @@ def _length(bit, name, default):
     return value if value > 0.0 else default
 
 
+@dataclass
+class CheckInput:
+    """What a check needs of a document, so that the check itself can run in any thread. Lengths in mm."""
+
+    plan: object  # the PlannedTexture
+    breps: list  # of the job's model
+    sections: list
+    tolerance: float
+    clearance: float
+
+
+def check_input(operation):
+    """CheckInput of a texture operation. Raises InputError naming GougeTolerance, StickOut or what a plan
+    cannot be made from."""
+    from patchmill.texture_operation import planned
+
+    plan = planned(operation)
+    tolerance = operation.GougeTolerance.Value
+    if not tolerance > 0.0:
+        raise InputError("GougeTolerance", "%g mm" % tolerance, "give a value greater than zero.")
+    job = host.PathUtils.findParentJob(operation)
+    return CheckInput(
+        plan,
+        [model.Shape.exportBrepToString() for model in job.Model.Group],
+        tool_sections(operation),
+        tolerance,
+        operation.ToolClearance.Value,
+    )
+
+
 def check(operation, path=None, first_move=0, progress=None):
     """CheckResult of a texture operation's planned path, or of `path`, a ToolPath such as the one of a
     PostedTexture, from its move `first_move` on. `progress` (share -> bool); if it returns False the result
     is unknown.
 
     Raises InputError naming GougeTolerance, ToolClearance, StickOut or what the core names."""
-    from patchmill.texture_operation import planned
+    return run_check(check_input(operation), path, first_move, progress)
 
-    plan = planned(operation)
-    job = host.PathUtils.findParentJob(operation)
-    tolerance, clearance = operation.GougeTolerance.Value, operation.ToolClearance.Value
-    if not tolerance > 0.0:
-        raise InputError("GougeTolerance", "%g mm" % tolerance, "give a value greater than zero.")
-    breps = [model.Shape.exportBrepToString() for model in job.Model.Group]
-    part = core.part_model(breps, tolerance / 8.0)
+
+def run_check(given, path=None, first_move=0, progress=None):
+    """As check(), of a CheckInput."""
+    plan, sections = given.plan, given.sections
+    tolerance, clearance = given.tolerance, given.clearance
+    part = core.part_model(given.breps, tolerance / 8.0)
     sink = _planned_sink(plan, part) if part.known else 0.0
-    sections = tool_sections(operation)
     found = core.check_clearance(
         path or plan.path,
         sections,

@@ -7,6 +7,7 @@
 
 #include <Inventor/nodes/SoIndexedFaceSet.h>
 #include <Inventor/nodes/SoLevelOfDetail.h>
+#include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShapeHints.h>
 #include <Inventor/nodes/SoVertexProperty.h>
@@ -110,11 +111,14 @@ SoSeparator* node_of(const GridChunk& chunk) {
   hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
   hints->shapeType = SoShapeHints::UNKNOWN_SHAPE_TYPE;
   hints->faceType = SoShapeHints::CONVEX;
+  auto* material = new SoMaterial;  // matt: a highlight would look like a height
+  material->specularColor = SbColor(0.0f, 0.0f, 0.0f);
   auto* detail = new SoLevelOfDetail;
   detail->screenArea.setValues(0, static_cast<int>(kPixels.size()), kPixels.data());
   for (const GridCopy& copy : chunk) detail->addChild(node_of(copy));
   auto* separator = new SoSeparator;
   separator->addChild(hints);
+  separator->addChild(material);
   separator->addChild(detail);
   return separator;
 }

@@ -1,0 +1,83 @@
+"""Simulating and checking a texture from its panels: what is shown is what the functions say.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import unittest
+
+import FreeCAD
+import FreeCADGui
+import driver
+import numpy as np
+import patchmill
+from patchmill import checks
+from patchmill_gui.check_panel import CheckPanel
+from patchmill_gui.simulate_panel import SimulatePanel
+
+
+class Simulate(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.document, part = driver.new_document(driver.wavy_block())
+        driver.select(part, driver.top_face(part.Shape))
+        FreeCADGui.runCommand("PatchMill_CurvedTexture")
+        cls.operation = cls.document.getObject("CurvedTexture")
+        panel = driver.panel_of(cls.operation)
+        driver.ready(panel)
+        panel.accept()
+        driver.wait(lambda: not driver.panel_open())
+
+    @classmethod
+    def tearDownClass(cls):
+        FreeCAD.closeDocument(cls.document.Name)
+
+    def setUp(self):
+        self.root = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
+        self.before = self.root.getNumChildren()
+
+    def test_the_relief_is_shown_with_a_legend_and_a_table(self):
+        panel = SimulatePanel(self.operation)
+        FreeCADGui.Control.showDialog(panel)
+        panel.size.setValue(4.0)
+        panel.simulate()
+        self.assertTrue(driver.wait(lambda: panel.result is not None or panel.error is not None))
+        self.assertIsNone(panel.error)
+        scene = self.operation.ViewObject.Proxy.scene
+        self.assertTrue(scene.filled("relief") and scene.shown("relief"))
+        self.assertFalse(scene.shown("dimples"))
+        self.assertEqual(self.root.getNumChildren(), self.before + 1)
+        direct = patchmill.simulate(self.operation, window=panel.window())
+        np.testing.assert_array_equal(direct.heights, panel.result.heights)
+        for name, value in direct.rows():
+            self.assertIn(value, panel.text.text(), name)
+        panel.reject()
+        self.assertEqual(self.root.getNumChildren(), self.before)
+        self.operation.ViewObject.Show = "Dimples"
+        self.assertFalse(scene.shown("relief"))
+
+    def test_a_simulation_can_be_cancelled(self):
+        panel = SimulatePanel(self.operation)
+        FreeCADGui.Control.showDialog(panel)
+        panel.size.setValue(0.0)
+        panel.simulate()
+        self.assertTrue(panel.work.busy)
+        panel.simulate()
+        self.assertFalse(panel.work.busy)
+        driver.rest(1.0)
+        self.assertIsNone(panel.result)
+        panel.reject()
+
+    def test_the_check_says_what_it_found_and_marks_it(self):
+        panel = CheckPanel(self.operation)
+        FreeCADGui.Control.showDialog(panel)
+        self.assertTrue(driver.wait(lambda: panel.result is not None or panel.error is not None, 120))
+        self.assertIsNone(panel.error)
+        self.assertEqual(panel.result.sentence, checks.check(self.operation).sentence)
+        self.assertIn(panel.result.sentence, panel.text.text())
+        self.assertEqual(panel.marks.getNumChildren(), min(200, len(panel.result.findings)))
+        panel.reject()
+        self.assertEqual(self.root.getNumChildren(), self.before)
+
+
+def main():
+    return driver.run_tests(Simulate)
