@@ -149,6 +149,7 @@ def simulate(
     helix=0.0,
     runout=(),
     memory_limit=None,
+    dialect="linuxcnc",
     progress=None,
 ):
     """Simulates a texture and returns a SimulatedTexture, or None if `progress` (share -> bool) returned
@@ -168,6 +169,7 @@ def simulate(
     distance of cells [mm]; None: 1/25 of the spacing. `stock`: height of the uncut surface over the base
     [mm]; None: a little more than the peaks between dimples, or 0 for isolated ones. `helix`: of the edges
     [degrees]. `runout`: how far each flute's edge stands out [mm]. `memory_limit` [bytes].
+    `dialect`: of the program, as _patchmill.read_gcode takes it.
 
     Raises InputError naming what is wrong: Path, Program, Machine, Samples, Window, GridStep, Stock, Memory
     and what the core names."""
@@ -175,7 +177,7 @@ def simulate(
     spacing = plan.input.spacing
     if sum(given is not None for given in (path, program, samples)) > 1:
         raise InputError("Path", "several motions", "give one of path, program and samples.")
-    motion, source = _motion(plan, path, program, machine, samples)
+    motion, source = _motion(plan, path, program, dialect, machine, samples)
     low, high = _window(plan, window)
     base, reach = _base(plan)
     margin = spacing
@@ -241,14 +243,14 @@ def _plan_of(texture):
     return planned(texture)
 
 
-def _motion(plan, path, program, machine, samples):
+def _motion(plan, path, program, dialect, machine, samples):
     """(ToolMotion, a phrase that says where it comes from)."""
     if samples is not None:
         if machine is not None:
             raise InputError("Machine", machine, "a recording has its machine in it: leave it out.")
         return _recorded(plan, samples), "recorded on a machine"
     if program is not None:
-        path, source = read_program(plan, program), "the program " + os.path.basename(program)
+        path, source = read_program(plan, program, dialect), "the program " + os.path.basename(program)
     elif path is not None:
         source = "the posted text, read back"
     else:
@@ -277,7 +279,7 @@ def _recorded(plan, samples):
     )
 
 
-def read_program(plan, filename):
+def read_program(plan, filename, dialect):
     """The ToolPath of the section of a G-code file that holds the plan. Raises InputError naming Program."""
     try:
         with open(filename, encoding="utf-8") as file:
@@ -285,7 +287,7 @@ def read_program(plan, filename):
     except (OSError, UnicodeDecodeError) as error:
         raise InputError("Program", filename, "it could not be read: %s." % error) from error
     best, found = None, -1
-    for section in core.read_gcode(text, plan.input.tool):
+    for section in core.read_gcode(text, plan.input.tool, dialect):
         match = core.match_plan(section.path, plan.path, 0.5 * 10.0**-plan.input.decimals)
         if match.found > found:
             best, found = section.path, match.found

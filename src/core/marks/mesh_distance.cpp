@@ -38,6 +38,12 @@ class Solid {
     return inside(at) ? -near.distance : near.distance;
   }
 
+  bool inside(const Vec3& at) const {
+    const std::vector<double> x = line_crossings(bvh_, at.y(), at.z());
+    const auto beyond = std::upper_bound(x.begin(), x.end(), at.x());
+    return (x.end() - beyond) % 2 != 0;
+  }
+
  private:
   /// Triangles all of whose neighbours, also those at a corner only, have normals within 80 degrees.
   void find_gentle(const TriangleMesh& mesh) {
@@ -63,12 +69,6 @@ class Solid {
     }
   }
 
-  bool inside(const Vec3& at) const {
-    const std::vector<double> x = line_crossings(bvh_, at.y(), at.z());
-    const auto beyond = std::upper_bound(x.begin(), x.end(), at.x());
-    return (x.end() - beyond) % 2 != 0;
-  }
-
   TriangleBvh bvh_;
   std::vector<Vec3> normal_;
   std::vector<char> gentle_;
@@ -82,11 +82,11 @@ PartShape shape_from_mesh(const TriangleMesh& mesh) {
   PartShape part([solid](const Vec3& at) { return solid->distance(at); });
   part.section = [solid](const ToolSection& section, const ToolPose& pose, double enough) {
     const SectionDistance found = nearest_section(solid->bvh(), section, pose, enough);
-    if (found.distance < 0.0) return found;
-    // no surface in the section: it may still be all inside
+    if (found.distance < enough) return found;
+    // no surface near: it may still be all inside
     const Vec3 middle = pose.tip + 0.5 * (section.from + section.to) * pose.axis;
-    const double d = found.distance < enough ? found.distance : solid->distance(middle);
-    return d < 0.0 ? SectionDistance{d, middle} : found;
+    if (!solid->inside(middle)) return found;
+    return SectionDistance{solid->distance(middle), middle};
   };
   return part;
 }

@@ -111,14 +111,14 @@ void Tile::load_base() {
 
 std::int64_t Tile::mill(const ToothPass& pass, const ToolMotion& motion, const Cutter& cutter) {
   prepare(pass, motion, cutter, *grid_, frame_, way_);
-  return grid_->curved() ? treat_curved(false, Vec3::Zero(), frame_.radius)
+  return grid_->curved() ? treat_curved(false, pass, Vec3::Zero(), frame_.radius)
                          : treat_flat(false, Vec3::Zero(), pass.reach);
 }
 
 void Tile::search(const ToothPass& pass, const ToolMotion& motion, const Cutter& cutter) {
   prepare(pass, motion, cutter, *grid_, frame_, way_);
   if (grid_->curved()) {
-    treat_curved(true, way_.tip, way_.near_tip + std::abs(stock_));
+    treat_curved(true, pass, way_.tip, way_.near_tip + std::abs(stock_));
     return;
   }
   if (way_.tip.head<2>().norm() < pass.reach + way_.near_tip)
@@ -152,23 +152,33 @@ std::int64_t Tile::treat_flat(bool search, const Vec3& aside, double reach) {
   return cells;
 }
 
-std::int64_t Tile::treat_curved(bool search, const Vec3& aside, double reach) {
+std::int64_t Tile::treat_curved(bool search, const ToothPass& pass, const Vec3& aside,
+                                double reach) {
   const Vec3 from_ball = origin_ - way_.centre;
   float shift[3];
   for (int k = 0; k < 3; ++k) shift[k] = static_cast<float>(from_ball[k]);
+  const Vec2 corner = grid_->plane_point(first_column_, first_row_);
+  const auto cell = [&](double place, double first, int count) {
+    return static_cast<int>(std::clamp((place - first) / grid_->step, -2.0, count + 1.0));
+  };
+  const int row0 = std::max(cell(pass.least[1], corner.y(), rows_) - 1, 0);
+  const int row1 = std::min(cell(pass.most[1], corner.y(), rows_) + 2, rows_ - 1);
+  const int chunk0 = std::max(cell(pass.least[0], corner.x(), columns_) - 1, 0) / kLanes;
+  const int chunk1 = std::min(cell(pass.most[0], corner.x(), columns_) + 2, columns_ - 1) / kLanes;
   std::int64_t chunks = 0;
-  for (int c = 0; c < rows_ * kChunks; ++c) {
-    const auto chunk = static_cast<std::size_t>(c);
-    if (chunk_radius_[chunk] < 0.0f) continue;
-    const Vec3 middle = chunk_middle_[chunk].cast<double>() + from_ball - aside;
-    if (distance_to_way(way_, middle) > reach + chunk_radius_[chunk]) continue;
-    const std::size_t at = chunk * kLanes;
-    kernel_.curved(
-        search, frame_,
-        {&base_[0][at], &base_[1][at], &base_[2][at], &base_[3][at], &base_[4][at], &base_[5][at]},
-        shift, 1, &height_[at]);
-    ++chunks;
-  }
+  for (int row = row0; row <= row1; ++row)
+    for (int c = chunk0; c <= chunk1; ++c) {
+      const auto chunk = static_cast<std::size_t>(row) * kChunks + c;
+      if (chunk_radius_[chunk] < 0.0f) continue;
+      const Vec3 middle = chunk_middle_[chunk].cast<double>() + from_ball - aside;
+      if (distance_to_way(way_, middle) > reach + chunk_radius_[chunk]) continue;
+      const std::size_t at = chunk * kLanes;
+      kernel_.curved(search, frame_,
+                     {&base_[0][at], &base_[1][at], &base_[2][at], &base_[3][at], &base_[4][at],
+                      &base_[5][at]},
+                     shift, 1, &height_[at]);
+      ++chunks;
+    }
   return chunks * kLanes;
 }
 

@@ -28,7 +28,7 @@ class Tile {
   /// Cells within `reach` of the ball centre's way, moved by `aside` (seen from above; on a curved
   /// base the reach is from point to point); returns their number.
   std::int64_t treat_flat(bool search, const Vec3& aside, double reach);
-  std::int64_t treat_curved(bool search, const Vec3& aside, double reach);
+  std::int64_t treat_curved(bool search, const ToothPass& pass, const Vec3& aside, double reach);
   void load_base();
 
   const SurfaceGrid* grid_ = nullptr;
