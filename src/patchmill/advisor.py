@@ -69,3 +69,25 @@ def mark_state(
 ):
     """The array that marks make as wished, in one sentence; arguments as for advise()."""
     return _wish(diameter, flutes, speed, side, spacing, None, cross_feed, shape, array).state()
+
+
+def advise_operation(obj, array="Square"):
+    """advise() for a PlanarTexture in free form: its side, cross-feed, feed per tooth and tool."""
+    given = obj.Proxy.texture_input(obj)
+    teeth_per_second = given.tool.flutes * given.spindle.speed
+    return advise(
+        2.0 * given.tool.radius,
+        given.tool.flutes,
+        60.0 * given.spindle.speed,
+        given.free_side,
+        spacing=given.feed_per_tooth or given.feed / teeth_per_second,
+        cross_feed=given.cross_feed,
+        shape=given.patch_shape,
+        array=array,
+    )
+
+
+def take(obj, proposal):
+    """Gives a PlanarTexture in free form what a Proposal says."""
+    obj.FreeSide, obj.CrossFeed = proposal.side, proposal.cross_feed
+    obj.FeedPerTooth = proposal.feed_per_tooth

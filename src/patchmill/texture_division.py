@@ -102,7 +102,10 @@ def lattice_start(given, sampler, low, high):
     the faces, the nearest place on them."""
     origin = np.zeros(2)
     if given.origin is None:
-        return core.nearest_start(origin, low, high, sampler)
+        try:
+            return core.nearest_start(origin, low, high, sampler)
+        except InputError as error:
+            raise InputError("Direction", "%g, %g, %g" % given.direction, error.remedy) from None
     if sampler.sample(origin[None])["states"][0] != 0:
         raise InputError(
             "Origin",

@@ -129,11 +129,13 @@ def _place_lattice(given, progress):
     size = texture_size(given)  # before the faces are looked at
     given = replace(given, spacing=size["spacing"])
     plane, sampler, low, high = sampler_on(given)
-    divided = divide(given, plane, sampler, low, high, progress)
+    laying = given.mapping != "Projected"
+    divided = divide(given, plane, sampler, low, high, _share(progress, 0.0, 0.7))
     if divided is None:
         return None
     division, lattice = divided
-    dimples = sampler.place(division, plane, given.surface, lattice, progress)
+    rest = _share(progress, 0.7 if laying else 0.0, 1.0)
+    dimples = sampler.place(division, plane, given.surface, lattice, rest)
     if dimples is None:
         return None
     core.sink(dimples, size["sunk"])
@@ -146,6 +148,11 @@ def _place_lattice(given, progress):
         "lattice": lattice,
         "extent": (low, high),
     }
+
+
+def _share(progress, first, last):
+    """`progress` as seen by a stage that takes the work from one share to another, or None."""
+    return progress and (lambda share: progress(first + share * (last - first)))
 
 
 def _apply_mask(placed):

@@ -14,7 +14,7 @@ import unittest
 import FreeCAD
 import numpy as np
 import patchmill
-from patchmill import free_form
+from patchmill import advisor, free_form
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RECIPE = runpy.run_path(str(ROOT / "Resources" / "recipes" / "matsuda2008" / "run.py"))
@@ -81,9 +81,10 @@ class FreeForm(unittest.TestCase):
         document, job, operation = RECIPE["make"]("inclined plane", "drifting")
         patchmill.recompute(operation)
         self.assertGreater(abs(operation.MeasuredDrift), 0.1)
-        best = patchmill.advise(2.0, 2, 1000.0, side=7.0, spacing=0.5, cross_feed=0.51)[0]
-        operation.FreeSide, operation.CrossFeed = best.side, best.cross_feed
-        operation.FeedPerTooth = best.feed_per_tooth
+        best = advisor.advise_operation(operation)[0]
+        same = patchmill.advise(2.0, 2, 1000.0, side=7.0, spacing=0.5, cross_feed=0.51)[0]
+        self.assertAlmostEqual(best.side, same.side, 9)
+        advisor.take(operation, best)
         patchmill.recompute(operation)
         self.assertTrue(operation.MarkArray.startswith("square"))
         self.assertLess(abs(operation.MeasuredDrift), 0.002)

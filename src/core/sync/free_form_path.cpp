@@ -74,7 +74,7 @@ ToolPath free_form_path(const FreeTexture& texture, const Dimples& dimples, cons
                         const Decimals& decimals) {
   require_valid(texture, tool, spindle, rule);
   const double turns_per_mm = spindle.speed / rule.feed, tooth = 1.0 / tool.flutes;
-  const double f_z = texture.patch.feed_per_tooth, slack = 1e-9 * f_z;
+  const double f_z = texture.patch.feed_per_tooth, slack = 1e-12 * f_z;
   ToolPath path{tool, spindle, {}, {}};
   PathAccount build(path, turns_per_mm, rule.safe_height);
   const Dimple* before = nullptr;
@@ -144,7 +144,7 @@ int nearest_side(const std::vector<HelixSide>& path, int first, const Vec2& p) {
 
 std::vector<MeasuredPhase> measure_phase(const ToolPath& path, const FreeTexture& texture,
                                          const Dimples& dimples, int patch) {
-  constexpr double kSlack = 1e-9;  // turns
+  constexpr double kSlack = 1e-11;  // turns
   const FreeFrame& frame = texture.frames.at(static_cast<std::size_t>(patch));
   const double tooth = 1.0 / path.tool.flutes;
   std::vector<HelixMark> marks;

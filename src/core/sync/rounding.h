@@ -12,9 +12,9 @@ namespace patchmill {
 
 class Decimals {
  public:
-  /// Errors: InputError naming Decimals if `count` is not in 0..9.
+  /// Errors: InputError naming Decimals if `count` is not in 0..12.
   explicit Decimals(int count) : count_(count) {
-    require_in_range("Decimals", count, 0, 9, "decimals");
+    require_in_range("Decimals", count, 0, 12, "decimals");
     scale_ = std::pow(10.0, count);
   }
   int count() const { return count_; }
