@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
+#include "bindings/path_text.h"
+#include "core/machine/gcode_reader.h"
 #include "core/machine/rs274_text.h"
 #include "core/sync/phase_rule.h"
 #include "core/sync/postures.h"
@@ -56,10 +58,25 @@ PhaseRule with_azimuths(PhaseRule rule, const Postures& postures) {
   return rule;
 }
 
-std::string rotary_text(const PosturePath& told, const std::string& letters,
-                        const MotionModel& model, int decimals) {
-  return freecad_paced_text(told.path, model, Decimals(decimals), FeedWord::PerMinute,
-                            {letters, told.joints});
+PathText rotary_text(const PosturePath& told, const std::string& letters, const MotionModel& model,
+                     int decimals, const std::string& before, const std::string& after) {
+  const auto line = [](const std::string& words) { return words.empty() ? words : words + "\n"; };
+  return PathText(line(before) +
+                  freecad_paced_text(told.path, model, Decimals(decimals), FeedWord::PerMinute,
+                                     {letters, told.joints}) +
+                  line(after));
+}
+
+ToolPath section_in_work(const ProgramSection& section, const Kinematics& machine,
+                         const ProgramForm& form) {
+  PosturePath read{section.path, {}};
+  for (const auto& angles : section.angles) {
+    Joints q{};
+    for (std::size_t k = 0; k < machine.rotary.size(); ++k)
+      q[k] = angles[static_cast<std::size_t>(machine.rotary[k].letter - 'A')];
+    read.joints.push_back(q);
+  }
+  return work_path(read, machine, form);
 }
 
 }  // namespace
@@ -105,8 +122,12 @@ void bind_postures(py::module_& m) {
       py::arg("vertical"), py::arg("postures"), py::arg("machine"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
       "A planned path with its tool axes and angles; the ball centre keeps its way.");
+  m.def("section_in_work", &section_in_work, py::arg("section"), py::arg("machine"),
+        py::arg("form"), py::call_guard<py::gil_scoped_release>(),
+        "Tool tips in the work frame of a section that was read with its rotary words.");
   m.def("freecad_rotary_text", &rotary_text, py::arg("told"), py::arg("letters"), py::arg("model"),
-        py::arg("decimals"), py::call_guard<py::gil_scoped_release>(),
+        py::arg("decimals"), py::arg("before") = "", py::arg("after") = "",
+        py::call_guard<py::gil_scoped_release>(),
         "A programmed path with its rotary words as text for Path.Path(text).");
 }
 

@@ -164,6 +164,15 @@ def _post_0_20(job, post_name, arguments):
     return parts
 
 
+def without_last_rapid(path):
+    """`path` without the rapid to the clearance height that FreeCAD adds to every operation: with the work
+    turned and TCP off, Z is not the height above it."""
+    last = path.Commands[-1] if path.Size else None
+    if last is not None and last.Name == "G0" and list(last.Parameters) == ["Z"]:
+        path.deleteCommand()
+    return path
+
+
 def post_processor_class():
     """The base class of post-processors, from FreeCAD 1.0 on; None on older ones, which know functions."""
     try:

@@ -14,7 +14,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import checks, host, strategies
+from patchmill import checks, host, strategies, tool_posture
 from patchmill.texture_operation import ObjectTexture, planned
 
 
@@ -124,9 +124,17 @@ def _read_back(text, operations, plans, dialect):
     posted = []
     for op, plan in zip(operations, plans):
         candidates = []
-        for section in core.read_gcode(text, plan.input.tool, dialect):
-            match = core.match_plan(section.path, plan.path, 0.5 * 10.0**-plan.input.decimals)
-            candidates.append((match.complete, match.found, section, match))
+        half_unit = 0.5 * 10.0**-plan.input.decimals
+        for section in core.read_gcode(text, plan.input.tool, dialect, rotary=plan.posture is not None):
+            if plan.posture is not None:
+                complete, match, path = tool_posture.read_back(
+                    section, plan.posture, plan.machine, half_unit
+                )
+            else:
+                path = section.path
+                match = core.match_plan(path, plan.path, half_unit)
+                complete = match.complete
+            candidates.append((complete, match.found, section, match, path))
         best = max(candidates, key=lambda c: c[:2], default=None)
         if best is None or not best[0]:
             raise InputError(
@@ -134,14 +142,14 @@ def _read_back(text, operations, plans, dialect):
                 "%d of %d dimples read back" % (best[1] if best else 0, plan.counts["cut"]),
                 "the post-processor changed the path: use another one.",
             )
-        section, match = best[2], best[3]
-        _check_spindle(op, plan, section.path)
+        section, match, path = best[2:]
+        _check_spindle(op, plan, path)
         if plan.input.strategy == strategies.CONSTANT:
-            errors = plan.phase_errors(section.path)
+            errors = plan.phase_errors(path)
         else:
-            _check_paces(op, plan, section.path)
+            _check_paces(op, plan, path)
             errors = plan.predicted_errors()
-            posted.append(PostedTexture(op, section.path, match, errors, section.unplaced))
+            posted.append(PostedTexture(op, path, match, errors, section.unplaced))
             continue
         largest = math.degrees(errors["largest"])
         if not largest <= op.PhaseTolerance.Value or errors["runs"] != 1:
@@ -151,7 +159,7 @@ def _read_back(text, operations, plans, dialect):
                 "the posted text has a phase error of %.4g degrees in %d runs: post more decimals."
                 % (largest, errors["runs"]),
             )
-        posted.append(PostedTexture(op, section.path, match, errors, section.unplaced))
+        posted.append(PostedTexture(op, path, match, errors, section.unplaced))
     return posted
 
 
@@ -162,8 +170,9 @@ def _check_paces(op, plan, path):
     words = re.sub(
         r"F([0-9.]+)", lambda f: "F%.6f" % (60.0 * float(f.group(1))), str(plan.pacing.text)
     )
-    planned_path = core.read_gcode(head + words, plan.input.tool)[-1].path
-    core.match_plan(planned_path, plan.path, 1e-6)
+    rotary = plan.posture is not None
+    planned_path = core.read_gcode(head + words, plan.input.tool, rotary=rotary)[-1].path
+    core.match_plan(planned_path, plan.posture.told.path if rotary else plan.path, 1e-6)
     timed = [p.turns[p.kinds > 0] for p in (planned_path, path)]
     if len(timed[0]) == len(timed[1]):
         both_unknown = np.isnan(timed[0]) & np.isnan(timed[1])

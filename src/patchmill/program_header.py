@@ -63,7 +63,7 @@ def _texture(op):
     yield "Operator: work zero as in the model, feed override 100 %, spindle override 100 %"
     posture = getattr(plan, "posture", None)
     if posture is not None:
-        yield "Operator: tool length to the %s; %s" % (
+        yield "Operator: tool length to the %s, %s" % (
             posture.reference,
             "TCP is used" if posture.form.tcp else "made for this machine's pivots and this work zero",
         )

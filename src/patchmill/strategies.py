@@ -13,6 +13,8 @@ from dataclasses import dataclass
 import _patchmill as core
 from _patchmill import InputError
 
+from patchmill import tool_posture
+
 CONSTANT, FITTED, FEED, LOCKED = NAMES = (
     "Constant feed",
     "Constant feed, fitted stops",
@@ -32,11 +34,12 @@ class Pacing:
     feed: float
     verdict: object = None
     clearance: float = None
+    posture: object = None  # tool_posture.Posture where rotary axes are used
 
 
-def make(given, dimples, rule, machine, path_of=None):
-    """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None; `path_of`, if
-    given, makes the ToolPath of a Spindle instead of the strategy.
+def make(given, dimples, rule, machine, path_of=None, posture=None):
+    """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None; `posture` a
+    tool_posture.Posture or None; `path_of`, if given, makes the ToolPath of a Spindle instead of the strategy.
     Raises InputError naming Strategy, Machine or what the core names."""
     if given.strategy not in NAMES:
         raise InputError("Strategy", given.strategy, "give one of: %s." % "; ".join(NAMES))
@@ -54,7 +57,8 @@ def make(given, dimples, rule, machine, path_of=None):
         if path_of:
             path, clearance = path_of(spindle), None
         else:
-            path, clearance = _path(given, dimples, rule, machine, spindle)
+            turning = posture.turning if posture else []
+            path, clearance = _path(given, dimples, rule, machine, spindle, turning)
         clearances.append(clearance)
         return path
 
@@ -67,10 +71,13 @@ def make(given, dimples, rule, machine, path_of=None):
         period = core.phase_period(given.tool.flutes, rule)
         if not given.calibrating and machine.start_phase:
             path = core.with_start_phase(path, machine.start_phase % period, period, given.decimals)
+    if posture is not None:
+        text = tool_posture.finish(posture, path, given, machine)
+        return Pacing(posture.work.path, text, feed, verdict, clearance, posture)
     return Pacing(path, _text(given, path, feed, machine), feed, verdict, clearance)
 
 
-def _path(given, dimples, rule, machine, spindle):
+def _path(given, dimples, rule, machine, spindle, turning):
     heights = {"safe_height": given.safe_height, "clearance_height": given.clearance_height}
     if given.strategy in (CONSTANT, FITTED):
         path = core.constant_feed_path(
@@ -80,7 +87,7 @@ def _path(given, dimples, rule, machine, spindle):
             feed = core.posted_feed(given.feed, given.decimals)
             path = core.fit_to_stops(path, machine.model, feed, rule, given.decimals)
         return path, None
-    paced = core.PacedRule(given.strategy == LOCKED, rule, given.lift, **heights)
+    paced = core.PacedRule(given.strategy == LOCKED, rule, given.lift, **heights, turning=turning)
     return core.paced_path(dimples, given.tool, spindle, paced, machine.model, given.decimals)
 
 

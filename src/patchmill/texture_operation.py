@@ -59,6 +59,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
     planned = None
     error = None
     ready = None
+    posture_field = None  # for ToolAxisMode Field: (positions, normals) -> (n, 3) axes; not saved
 
     def opFeatures(self, obj):
         op = host.PathOp
@@ -101,7 +102,10 @@ class ObjectTexture(host.PathOp.ObjectOp):
         self.planned = None
         self.error = None
         obj.Path = host.Path.Path()
-        return super().execute(obj)
+        result = super().execute(obj)
+        if self.planned is not None and self.planned.posture is not None:
+            obj.Path = host.without_last_rapid(obj.Path)
+        return result
 
     def opExecute(self, obj):
         try:
@@ -149,6 +153,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
             origin=None if obj.AutoOrigin else tuple(obj.Origin),
             mask=_mask(obj),
             calibrating=self.CALIBRATING,
+            posture_field=self.posture_field,
             **_values(obj, PROPERTIES + self.OWN_PROPERTIES),
         )
 

@@ -12,7 +12,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import free_form, machines, strategies, texture_mask
+from patchmill import free_form, machines, strategies, texture_mask, tool_posture
 from patchmill.texture_division import divide, require_apart, sampler_on, texture_size
 from patchmill.texture_input import TextureInput
 
@@ -92,6 +92,11 @@ class PlannedTexture(PlacedTexture):
         return self.pacing.path
 
     @property
+    def posture(self):
+        """The tool_posture.Posture, or None for a tool that stands upright."""
+        return self.pacing.posture
+
+    @property
     def feed(self):
         """As posted [mm/s]."""
         return self.pacing.feed
@@ -168,8 +173,12 @@ def _keep_off_tip(placed):
     """Leaves out what the tip of the ball would rub. Raises InputError naming AvoidRubbing if it would
     rub in all of them."""
     given, dimples = placed.input, placed.dimples
-    core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
     least = placed.size["least_tilt"]
+    if not tool_posture.is_vertical(given):
+        limit = max(radians(given.minimum_tilt), least if given.avoid_rubbing else 0.0)
+        core.mark_tool_tip_along(dimples, tool_posture.axes(given, dimples), limit)
+        return
+    core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
     if not given.avoid_rubbing or least <= radians(given.minimum_tilt):
         return
     tilts = core.tilts(dimples, VERTICAL)[dimples.states == 0]
@@ -198,7 +207,11 @@ def plan_texture(given, progress=None):
         pacing = free_form.pacing(given, placed.free, dimples, rule, machine)
     else:
         rule = core.PhaseRule(given.same_flute, given.extra_turns, radians(given.phase_step))
-        pacing = strategies.make(given, dimples, rule, machine)
+        posture = None
+        if not tool_posture.is_vertical(given):
+            posture = tool_posture.plan(given, dimples, machine)
+            rule = core.with_azimuths(rule, posture.postures)
+        pacing = strategies.make(given, dimples, rule, machine, posture=posture)
     return PlannedTexture(
         **vars(placed),
         rule=rule,

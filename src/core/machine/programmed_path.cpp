@@ -73,7 +73,7 @@ PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
       part.end.tip = told(from + share * (to - from), q);
       if (k < parts) {
         part.dimple = kNoDimple;
-        if (move.tolerance != 0.0) part.tolerance = chord_of(form, move.kind);
+        if (move.tolerance > 0.0) part.tolerance = chord_of(form, move.kind);
       }
       out.path.moves.push_back(part);
       out.joints.push_back(q);

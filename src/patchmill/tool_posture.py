@@ -1,0 +1,142 @@
+"""Tool axes and postures of a texture: from what the operation asks of the tool axis to the angles of the
+machine's rotary axes, and to the path that its controller is told (docs/five-axis.md).
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from dataclasses import dataclass
+from math import radians
+
+import _patchmill as core
+import numpy as np
+from _patchmill import InputError
+
+VERTICAL = (0.0, 0.0, 1.0)
+MODES = ("Fixed", "Normal", "Minimum lead", "Field")
+FORMS = ("As the machine", "With TCP", "Without TCP")
+LOCKED = "Spindle-locked"
+
+
+@dataclass
+class Posture:
+    """How a path is milled with rotary axes. `work`: _patchmill.PosturePath of tool tips in the work frame;
+    `told`: of the programmed points; `machine`: _patchmill.Kinematics with the tool in it."""
+
+    kinematics: core.Kinematics
+    form: core.ProgramForm
+    reference: str
+    postures: core.Postures
+    turning: list
+    work: core.PosturePath = None
+    told: core.PosturePath = None
+    load: dict = None
+
+
+def is_vertical(given):
+    """Whether the tool stands upright everywhere, as on three axes."""
+    x, y, z = given.fixed_axis
+    return given.tool_axis_mode == "Fixed" and x == 0.0 and y == 0.0 and z > 0.0
+
+
+def axes(given, dimples):
+    """(n, 3) unit tool axes for dimples, as the operation asks for them. Raises InputError."""
+    if given.tool_axis_mode not in MODES:
+        raise InputError("ToolAxisMode", given.tool_axis_mode, "give one of: %s." % ", ".join(MODES))
+    field = None
+    if given.tool_axis_mode == "Field":
+        if given.posture_field is None:
+            raise InputError("PostureField", "none", "give the operation's proxy a posture_field.")
+        field = np.asarray(given.posture_field(dimples.positions, dimples.normals), dtype=float)
+    found = core.tool_axes(
+        dimples,
+        given.tool_axis_mode,
+        axis=given.fixed_axis,
+        lead=radians(given.lead),
+        tilt=radians(given.tilt),
+        least_lead=radians(given.minimum_lead),
+        towards=given.lead_towards,
+        field=field,
+        smoothing=radians(given.axis_smoothing),
+        widest=radians(given.widest_tilt),
+    )
+    if given.strategy == LOCKED:
+        found = core.axes_by_row(dimples, found, radians(given.row_tolerance))
+    return found
+
+
+def plan(given, dimples, machine):
+    """Posture of dimples on `machine` (a machines.Machine), without a path yet. Raises InputError naming
+    Machine, ToolAxis, ProgramForm or GaugeLength."""
+    if machine is None or not machine.rotary_letters:
+        raise InputError(
+            "Machine",
+            machine.key if machine else "''",
+            "tool axes other than Z need a machine file with rotary axes.",
+        )
+    controller = machine.controller
+    tcp = {"With TCP": True, "Without TCP": False}.get(given.program_form, controller["tcp"])
+    if tcp and not controller["tcp"]:
+        raise InputError("ProgramForm", given.program_form, "the machine %s has no TCP." % machine.key)
+    heads = [a for a in machine.data["rotary_axes"] if a["side"] == "head"]
+    if heads and not tcp and not given.gauge_length > 0.0:
+        raise InputError(
+            "GaugeLength", "0 mm", "without TCP a tilting head needs the length from its gauge point to the tip."
+        )
+    reference = controller["reference"]
+    form = core.ProgramForm(tcp, reference, 1e-3, 0.5 * given.lift)
+    kinematics = core.with_tool(machine.kinematics, given.gauge_length, form, given.tool)
+    postures = core.plan_postures(kinematics, dimples, axes(given, dimples), given.decimals)
+    turning = []
+    if given.strategy == LOCKED:
+        turning = core.turning_seconds(kinematics, dimples, postures, given.tool, machine.model, form)
+    return Posture(kinematics, form, reference, postures, turning)
+
+
+def finish(posture, path, given, machine):
+    """Fills in the posture's paths from `path`, which a strategy planned for the ball centre, and returns
+    the text for Path.Path(). Raises InputError naming the axis that is too slow."""
+    posture.work = core.with_postures(path, posture.postures, posture.kinematics, given.decimals)
+    posture.told = core.programmed(posture.work, posture.kinematics, posture.form, given.decimals)
+    posture.load = load = core.axis_load(posture.kinematics, posture.work)
+    if load["rate"] > 1.0:
+        raise InputError(
+            "ToolAxis",
+            "axis %s" % load["rate_axis"],
+            "it would have to turn at %.1f times its greatest velocity in move %d: smooth the tool axes, "
+            "turn the spindle more slowly, or add extra turns." % (load["rate"], load["rate_move"]),
+        )
+    if load["overtravel_mm"] > 0.0:
+        raise InputError(
+            "Machine",
+            machine.key,
+            "axis %s would leave its limits by %.3f mm." % (load["overtravel_axis"], load["overtravel_mm"]),
+        )
+    return core.freecad_rotary_text(
+        posture.told, machine.rotary_letters, machine.model, given.decimals, *_tcp_words(posture, machine)
+    )
+
+
+def _tcp_words(posture, machine):
+    """Words that switch TCP on and off, as FreeCAD's paths can hold them; the dialects write their own."""
+    if not posture.form.tcp:
+        return "", ""
+    controller = machine.controller
+    words = controller.get("tcp_on", ""), controller.get("tcp_off", "")
+    plain = all(w[:1] in "GM" and w[1:].replace(".", "").isdigit() for w in words if w)
+    return words if all(words) and plain else ("G43.4", "G49")
+
+
+def read_back(section, posture, machine, tolerance_mm):
+    """Compares a section of a posted program with what it was to say; returns (match, ToolPath of tips in
+    the work frame). `match` is a _patchmill.PlanMatch; the angles count as a miss of the same number."""
+    match = core.match_plan(section.path, posture.told.path, tolerance_mm)
+    told = np.degrees(posture.told.joints[1:])
+    read = np.degrees(section.angles[1:])[:, ["ABC".index(c) for c in machine.rotary_letters]]
+    ends = np.flatnonzero(section.path.kinds > 0)
+    planned = np.flatnonzero(posture.told.path.kinds > 0)
+    complete = match.complete and len(ends) == len(planned)
+    if complete:
+        off = np.abs(read[ends] - told[planned][:, : read.shape[1]]).max(initial=0.0)
+        complete = off <= tolerance_mm + 1e-9 and bool((section.tcp[ends] == posture.form.tcp).all())
+    work = core.section_in_work(section, posture.kinematics, posture.form)
+    return complete, match, work

@@ -1,0 +1,151 @@
+"""Textures on machines with rotary axes, from the document to the posted program and back: every shipped
+five-axis machine with its own post, with TCP and without, tool-axis modes, and what is refused.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import math
+import os
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import FreeCAD  # noqa: E402
+import _patchmill as core  # noqa: E402
+import numpy as np  # noqa: E402
+import patchmill  # noqa: E402
+from recipe import small_job  # noqa: E402
+
+POSTS = {
+    "table-table-ac": "patchmill_linuxcnc",
+    "table-table-bc": "patchmill_linuxcnc",
+    "head-head-ca": "patchmill_fanuc",
+    "head-table-bc": "patchmill_siemens",
+    "nutating-table-bc-45": "patchmill_heidenhain",
+    "nutating-head-bc-45": "patchmill_siemens",
+}
+
+
+def five_axis_job(machine, decimals=4):
+    document, job, op = small_job(decimals, name="five")
+    op.PatchesX, op.PatchesY = 2, 1
+    op.Machine = machine
+    op.ToolAxisMode, op.Lead, op.LeadTowards = "Normal", 12.0, FreeCAD.Vector(1, 0, 0)
+    op.PostUnheld = True
+    op.PostGouging = True
+    post = POSTS.get(machine, "patchmill_linuxcnc")
+    job.PostProcessor = list(job.getEnumerationsOfProperty("PostProcessor")) + [post]
+    job.PostProcessor = post
+    job.PostProcessorArgs = "--precision=%d" % decimals
+    return document, job, op
+
+
+class FiveAxis(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="patchmill-five-")
+        self.addCleanup(self.folder.cleanup)
+        self.addCleanup(lambda: [FreeCAD.closeDocument(n) for n in list(FreeCAD.listDocuments())])
+
+    def post(self, job, op):
+        plan = patchmill.recompute(op)
+        name = os.path.join(self.folder.name, "x.nc")
+        posted = patchmill.post(job, name)[0]
+        with open(name, encoding="ascii") as file:
+            return plan, posted, file.read()
+
+    def check_read_back(self, plan, posted):
+        """Tips in the work frame, from the text alone, are where the ball cuts each dimple."""
+        ends = np.flatnonzero(posted.path.dimples >= 0)
+        self.assertEqual(len(ends), plan.counts["cut"])
+        number = posted.path.dimples[ends]
+        centre = posted.path.tips[ends] + plan.input.tool.radius * posted.path.axes[ends]
+        wanted = plan.dimples.positions[number] + plan.input.tool.radius * plan.dimples.normals[number]
+        self.assertLess(np.abs(centre - wanted).max(), 4e-4)
+        self.assertLess(math.degrees(posted.errors["largest"]), 1.0)
+        tilt = np.degrees(np.arccos(np.einsum("ij,ij->i", posted.path.axes[ends], plan.dimples.normals[number])))
+        return tilt
+
+    def test_each_machine_with_its_post(self):
+        for machine in POSTS:
+            with self.subTest(machine=machine):
+                document, job, op = five_axis_job(machine)
+                plan, posted, text = self.post(job, op)
+                tilt = self.check_read_back(plan, posted)
+                self.assertLess(np.abs(tilt - 12.0).max(), 1e-2)
+                print(machine, len(text.splitlines()), "blocks;", "C from %.1f to %.1f" % tuple(
+                    np.degrees(plan.posture.work.joints[:, 0][[0, -1]])))
+                FreeCAD.closeDocument(document.Name)
+
+    def test_without_tcp(self):
+        for machine in ("table-table-ac", "head-table-bc"):
+            with self.subTest(machine=machine):
+                document, job, op = five_axis_job(machine)
+                op.ProgramForm, op.GaugeLength = "Without TCP", 120.0
+                plan, posted, text = self.post(job, op)
+                self.check_read_back(plan, posted)
+                words = [w for line in text.splitlines() if line[0] != "(" and ";" not in line for w in line.split()]
+                self.assertFalse({"M428", "TRAORI"} & set(words))
+                self.assertIn("G93", words)
+                FreeCAD.closeDocument(document.Name)
+
+    def test_spindle_locked_with_rotary_axes(self):
+        _, job, op = five_axis_job("table-table-ac")
+        op.Strategy, op.SameFlute, op.ExtraTurns = "Spindle-locked", False, 0.0
+        plan, posted, text = self.post(job, op)
+        self.check_read_back(plan, posted)
+        self.assertIn("M428", text)
+        locked = [line for line in text.splitlines() if line.startswith("G33")]
+        self.assertEqual(len(locked), len(posted.path) - text.count("G0 X") - 0)
+        self.assertTrue(all("K" in line for line in locked))
+
+    def test_three_plus_two(self):
+        _, job, op = five_axis_job("table-table-bc")
+        op.ToolAxisMode, op.FixedAxis = "Fixed", FreeCAD.Vector(math.sin(0.4), 0.1, math.cos(0.4))
+        plan, posted, _ = self.post(job, op)
+        self.check_read_back(plan, posted)
+        self.assertLess(np.ptp(plan.posture.work.joints, axis=0).max(), 1e-12)
+
+    def test_minimum_lead_and_field(self):
+        _, job, op = five_axis_job("table-table-ac")
+        op.ToolAxisMode, op.MinimumLead = "Minimum lead", 10.0
+        plan, posted, _ = self.post(job, op)
+        self.assertGreater(self.check_read_back(plan, posted).min(), 10.0 - 1e-2)
+        op.ToolAxisMode = "Field"
+        with self.assertRaises(patchmill.InputError) as caught:
+            patchmill.recompute(op)
+        self.assertEqual(caught.exception.property, "PostureField")
+        op.Proxy.posture_field = lambda places, normals: normals + (0.2, 0.1, 0.0)
+        plan, posted, _ = self.post(job, op)
+        self.check_read_back(plan, posted)
+
+    def refused(self, named, op):
+        with self.assertRaises(patchmill.InputError) as caught:
+            patchmill.recompute(op)
+        self.assertEqual(caught.exception.property, named, caught.exception)
+
+    def test_what_cannot_be_is_refused(self):
+        _, _, op = five_axis_job("linuxcnc-mill")
+        self.refused("Machine", op)
+        op.Machine = ""
+        self.refused("Machine", op)
+        op.Machine, op.ProgramForm = "head-table-bc", "Without TCP"
+        self.refused("GaugeLength", op)
+        op.Machine, op.ProgramForm, op.Lead = "table-table-ac", "As the machine", 89.0
+        self.refused("Lead", op)
+        op.Lead = 10.0
+        op.ToolAxisMode, op.FixedAxis = "Fixed", FreeCAD.Vector(0, 0, -1)
+        self.refused("Dimples", op)
+
+    def test_stock_post_that_changes_the_path_is_refused(self):
+        _, job, op = five_axis_job("table-table-ac")
+        job.PostProcessor = "dynapath"  # drops C
+        with self.assertRaises(patchmill.InputError):
+            self.post(job, op)
+        self.assertEqual(os.listdir(self.folder.name), [])
+
+
+if __name__ == "__main__":
+    result = unittest.main(exit=False, verbosity=2, argv=["test"] + sys.argv[1:]).result
+    sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
