@@ -59,11 +59,12 @@ PhaseRule with_azimuths(PhaseRule rule, const Postures& postures) {
 }
 
 PathText rotary_text(const PosturePath& told, const std::string& letters, const MotionModel& model,
-                     int decimals, const std::string& before, const std::string& after) {
+                     int decimals, const std::string& before, const std::string& after,
+                     bool as_set) {
   const auto line = [](const std::string& words) { return words.empty() ? words : words + "\n"; };
   return PathText(line(before) +
                   freecad_paced_text(told.path, model, Decimals(decimals), FeedWord::PerMinute,
-                                     {letters, told.joints}) +
+                                     {letters, told.joints, as_set}) +
                   line(after));
 }
 
@@ -127,7 +128,7 @@ void bind_postures(py::module_& m) {
         "Tool tips in the work frame of a section that was read with its rotary words.");
   m.def("freecad_rotary_text", &rotary_text, py::arg("told"), py::arg("letters"), py::arg("model"),
         py::arg("decimals"), py::arg("before") = "", py::arg("after") = "",
-        py::call_guard<py::gil_scoped_release>(),
+        py::arg("as_set") = false, py::call_guard<py::gil_scoped_release>(),
         "A programmed path with its rotary words as text for Path.Path(text).");
 }
 

@@ -114,7 +114,7 @@ def _parser(post, precision, modal, line_numbers):
     pair("comments", True, "comments of the operations (default)")
     pair("line-numbers", line_numbers, "number the blocks")
     pair("modal", modal, "leave out a G word that is in force")
-    pair("axis-modal", False, "leave out words of axes that stay where they are")
+    pair("axis-modal", modal, "leave out words of axes that stay where they are")
     pair("tlo", True, "tool length offset after a tool change (default)")
     pair("show-editor", False, "accepted; no editor is shown")
     parser.add_argument("--precision", type=int, default=precision, help="decimals, default %d" % precision)

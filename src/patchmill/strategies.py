@@ -38,8 +38,9 @@ class Pacing:
 
 
 def make(given, dimples, rule, machine, path_of=None, posture=None):
-    """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None; `posture` a
-    tool_posture.Posture or None; `path_of`, if given, makes the ToolPath of a Spindle instead of the strategy.
+    """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None, `posture` a
+    tool_posture.Posture or None; `path_of`, if given, makes the ToolPath of a Spindle instead of the
+    strategy.
     Raises InputError naming Strategy, Machine or what the core names."""
     if given.strategy not in NAMES:
         raise InputError("Strategy", given.strategy, "give one of: %s." % "; ".join(NAMES))

@@ -79,9 +79,8 @@ def plan(given, dimples, machine):
         raise InputError("ProgramForm", given.program_form, "the machine %s has no TCP." % machine.key)
     heads = [a for a in machine.data["rotary_axes"] if a["side"] == "head"]
     if heads and not tcp and not given.gauge_length > 0.0:
-        raise InputError(
-            "GaugeLength", "0 mm", "without TCP a tilting head needs the length from its gauge point to the tip."
-        )
+        remedy = "without TCP a tilting head needs the length from its gauge point to the tip."
+        raise InputError("GaugeLength", "0 mm", remedy)
     reference = controller["reference"]
     form = core.ProgramForm(tcp, reference, 1e-3, 0.5 * given.lift)
     kinematics = core.with_tool(machine.kinematics, given.gauge_length, form, given.tool)
@@ -112,7 +111,12 @@ def finish(posture, path, given, machine):
             "axis %s would leave its limits by %.3f mm." % (load["overtravel_axis"], load["overtravel_mm"]),
         )
     return core.freecad_rotary_text(
-        posture.told, machine.rotary_letters, machine.model, given.decimals, *_tcp_words(posture, machine)
+        posture.told,
+        machine.rotary_letters,
+        machine.model,
+        given.decimals,
+        *_tcp_words(posture, machine),
+        as_set="smoothing_on" in machine.controller,
     )
 
 

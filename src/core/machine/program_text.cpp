@@ -184,16 +184,22 @@ void ProgramText::straight_line(const MoveBlock& block) {
     text_ += " FT";
     append_fixed(text_, block.seconds, 3, false);
     feed_ = -1.0;
-  } else if (block.feed != feed_) {
+  } else if (feed_units(block.feed) != feed_) {
     text_ += " F";
     append_fixed(text_, block.feed, feed_decimals_, false);
-    feed_ = block.feed;
+    feed_ = feed_units(block.feed);
   }
   text_ += '\n';
 }
 
+double ProgramText::feed_units(double feed) const {
+  return std::round(feed * std::pow(10.0, feed_decimals_));
+}
+
 void ProgramText::move(const MoveBlock& block) {
   if (bare_numbers(style_.dialect)) return straight_line(block);
+  const std::size_t whole = text_.size();
+  const long count = count_;
   number();
   const int motion = static_cast<int>(block.motion);
   const std::size_t begin = text_.size();
@@ -202,17 +208,24 @@ void ProgramText::move(const MoveBlock& block) {
     text_ += kWords[motion];
     motion_ = motion;
   }
+  const std::size_t bare = text_.size();
   axes(block, false);
+  if (text_.size() == bare) {  // nothing moves: no block, and no word of it
+    text_.resize(whole);
+    count_ = count;
+    return forget_word();
+  }
   if (block.motion == Motion::Locked) {
     text_ += ' ';
     text_ += block.lead.letter;
     append_fixed(text_, block.lead.value, kLeadDecimals, false);
     feed_ = -1.0;
   }
-  if (block.motion == Motion::Feed && (block.inverse || !style_.modal || block.feed != feed_)) {
+  if (block.motion == Motion::Feed &&
+      (block.inverse || !style_.modal || feed_units(block.feed) != feed_)) {
     text_ += " F";
     append_fixed(text_, block.feed, feed_decimals_, false);
-    feed_ = block.inverse ? -1.0 : block.feed;
+    feed_ = block.inverse ? -1.0 : feed_units(block.feed);
   }
   if (text_.size() > begin && text_[begin] == ' ') text_.erase(begin, 1);  // no G word came first
   text_ += '\n';

@@ -58,6 +58,7 @@ class ProgramText {
  private:
   void number();
   void straight_line(const MoveBlock& block);
+  double feed_units(double feed) const;
   void axes(const MoveBlock& block, bool plus);
 
   const ProgramStyle& style_;
@@ -67,7 +68,7 @@ class ProgramText {
   int motion_ = -1;  // in force
   std::array<bool, 6> known_{};
   std::array<double, 6> at_{};
-  double feed_ = -1.0;
+  double feed_ = -1.0;  // in force, in units of its last decimal
 };
 
 }  // namespace patchmill

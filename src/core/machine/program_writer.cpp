@@ -30,6 +30,8 @@ class Writer {
     }
     tcp(false);
     if (inverse_) out_.line(words_.per_minute);
+    if (style_.postamble.empty() && tcp_used_ && style_.dialect == Dialect::Fanuc)
+      words_.postamble = "M5\nM30";  // TCP's G49 has cancelled the length
     out_.lines(style_.postamble.empty() ? words_.postamble : style_.postamble);
     return out_.end();
   }
@@ -105,6 +107,7 @@ class Writer {
     tcp(false);
     const int tool = block.gives('T') ? static_cast<int>(block.get('T')) : 0;
     tool_ = tool;
+    called_ = true;
     if (style_.dialect == Dialect::Heidenhain) {
       pending_tool_ = true;
       return;
@@ -115,16 +118,44 @@ class Writer {
       return out_.line("M6");
     }
     out_.line(fmt::format("T{} M6", tool));
-    if (style_.tool_length) out_.line(fmt::format("G43 H{}", tool));
+    pending_length_ = style_.tool_length;
     out_.forget();
   }
   void tcp(bool on) {
+    pending_tcp_ = on && !tcp_;
+    if (!on) switch_tcp(false);
+  }
+  /// TCP comes on when the rotary axes have been put where the first move wants them, and takes the tool
+  /// length with it.
+  void switch_tcp(bool on) {
     if (on == tcp_) return;
     tcp_ = on;
+    if (on) pending_length_ = style_.dialect == Dialect::LinuxCnc && pending_length_;
+    if (on && pending_length_) length();
+    if (on) tcp_used_ = true;
     if (!on && !style_.smoothing_off.empty()) out_.lines(style_.smoothing_off);
     out_.lines(on ? with_number(words_.tcp_on, tool_) : words_.tcp_off);
     if (on && !style_.smoothing_on.empty()) out_.lines(style_.smoothing_on);
     out_.forget();
+  }
+
+  void length() {
+    if (pending_length_) out_.line(fmt::format("G43 H{}", tool_));
+    pending_length_ = false;
+  }
+  /// The first rapid of a path with rotary axes as a machinist drives it: the rotary axes alone, TCP on,
+  /// then across, then down.
+  void approach(MoveBlock m) {
+    MoveBlock part = m;
+    part.given = {false, false, false, m.given[3], m.given[4], m.given[5]};
+    if (m.given[3] || m.given[4] || m.given[5]) out_.move(part);
+    pending_tcp_ = false;
+    switch_tcp(true);
+    part.given = {m.given[0], m.given[1], false, false, false, false};
+    if (m.motion != Motion::Rapid || !(m.given[0] || m.given[1])) return out_.move(m);
+    out_.move(part);
+    part.given = {false, false, m.given[2], false, false, false};
+    if (m.given[2]) out_.move(part);
   }
 
   void preparatory(const Block& block) {
@@ -136,7 +167,7 @@ class Writer {
       return;
     }
     if (block.g == 434) return tcp(true);
-    if (block.g == 490 && tcp_) return tcp(false);
+    if (block.g == 490 && (tcp_ || pending_tcp_)) return tcp(false);
     if (block.g == 610) return path_mode(words_.exact_stop);
     if (block.g == 640) return path_mode(rounding(block));
     if (block.g == 40) return dwell(block);
@@ -200,7 +231,11 @@ class Writer {
     if (m.motion == Motion::Feed && inverse_ && !block.gives('F'))
       refuse(block, "in inverse time (G93) every G1 needs its F.");
     if (m.motion == Motion::Locked) m.lead = lead(block, way, turned);
+    // before the first tool a program has no length to go by: FreeCAD's rapid to the clearance is left to
+    // the operator, who retracts
+    if (!called_ && m.motion == Motion::Rapid && style_.dialect != Dialect::LinuxCnc) return;
     if (pending_tool_) call_tool("");
+    if (!pending_tcp_) length();
     if (m.motion == Motion::Feed && style_.dialect == Dialect::Heidenhain && inverse_) {
       // no inverse time in plain text: the feed that takes as long, or the time itself
       if (way.norm() > 0.0)
@@ -209,6 +244,7 @@ class Writer {
         m.seconds = 60.0 / feed_;
       m.inverse = false;
     }
+    if (pending_tcp_) return approach(m);
     out_.move(m);
   }
   LeadWord lead(const Block& block, const Vec3& way, bool turned) const {
@@ -240,7 +276,8 @@ class Writer {
   std::array<bool, 6> known_{};
   double feed_ = 0.0, speed_ = 0.0;
   int tool_ = 1;
-  bool tcp_ = false, inverse_ = false, pending_tool_ = false;
+  bool tcp_ = false, tcp_used_ = false, pending_tcp_ = false, inverse_ = false;
+  bool called_ = false, pending_tool_ = false, pending_length_ = false;
   std::string path_mode_;
 };
 

@@ -93,7 +93,7 @@ class Writer {
     if (!(move.turns > 0.0))
       throw InputError("Turns", fmt::format("{} in move {}", move.turns, i),
                        "a timed move needs more than no turns.");
-    tolerance(tolerances_[i]);
+    if (!rotary_.as_set || !std::isnan(move.tolerance)) tolerance(tolerances_[i]);
     const std::string place = words(move.end.tip) + rotary_words(i + 1);
     if (move.pace == Pace::SpindleLocked) {
       if (!(length > 0.0))

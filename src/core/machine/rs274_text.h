@@ -24,6 +24,8 @@ enum class FeedWord : std::uint8_t {
 struct RotaryWords {
   std::string letters;         ///< of the rotary axes in chain order
   std::vector<Joints> joints;  ///< [rad], on the decimals in degrees
+  /// No path mode is written for moves that leave it to the machine: its own smoothing is in force.
+  bool as_set = false;
 };
 
 struct Rs274Text {

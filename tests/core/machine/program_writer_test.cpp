@@ -134,22 +134,21 @@ TEST(ProgramWriter, ProgramsAsTheyAreWrittenByHand) {
       "(TC: ball)\nM6 T3\nM3 S1000\nG54\nG0 X0 Y0 Z50\nG43.4 H3\nG0 X1.5 Y0 Z50 A0 C0\nG93\nG61\n"
       "G1 X2 Y0 Z49 A1 C2 F0.5\nG1 X3 Y0 Z49 A1 C2 F0.25\nG94\nG0 Z60\n";
   ProgramStyle fanuc = style_of(Dialect::Fanuc, 3);
-  fanuc.modal = true;
+  fanuc.modal = fanuc.axis_modal = true;
   fanuc.smoothing_on = "G05.1 Q1";
   fanuc.smoothing_off = "G05.1 Q0";
   EXPECT_EQ(write_program({text}, fanuc),
             "%\nO0001\n(PATCHMILL)\n(PART: PLATE LEFT)\n(PHASE ZERO: FLUTE 1 AT X)\nG21\n"
-            "G17 G40 G49 G80 G90 G94\n(TC: BALL)\nM5\nT3 M6\nG43 H3\nS1000 M3\nG54\n"
-            "G0 X0.000 Y0.000 Z50.000\nG43.4 H3\nG05.1 Q1\nG0 X1.500 Y0.000 Z50.000 A0.000 C0.000\n"
-            "G93\nG61\nG1 X2.000 Y0.000 Z49.000 A1.000 C2.000 F30.000\n"
-            "X3.000 Y0.000 Z49.000 A1.000 C2.000 F15.000\nG94\nG0 Z60.000\nG05.1 Q0\nG49\nM5\nG49\n"
-            "M30\n%\n");
+            "G17 G40 G49 G80 G90 G94\n(TC: BALL)\nM5\nT3 M6\nS1000 M3\nG54\nG43 H3\n"
+            "G0 X0.000 Y0.000 Z50.000\nA0.000 C0.000\nG43.4 H3\nG05.1 Q1\nG0 X1.500 Y0.000\n"
+            "Z50.000\nG93\nG61\nG1 X2.000 Z49.000 A1.000 C2.000 F30.000\n"
+            "X3.000 F15.000\nG94\nG0 Z60.000\nG05.1 Q0\nG49\nM5\nM30\n%\n");
   EXPECT_EQ(write_program({text}, style_of(Dialect::Heidenhain, 3)),
             "0 BEGIN PGM PATCHMILL MM\n1 ; Part: plate left\n2 ; Phase zero: flute 1 at X\n"
             "3 ; TC: ball\n4 TOOL CALL 3 Z S1000\n5 M3\n6 L X+0.000 Y+0.000 Z+50.000 R0 FMAX\n"
-            "7 M128\n8 L X+1.500 Y+0.000 Z+50.000 A+0.000 C+0.000 R0 FMAX\n"
-            "9 L X+2.000 Z+49.000 A+1.000 C+2.000 F33.541\n10 L X+3.000 F15.000\n"
-            "11 L Z+60.000 R0 FMAX\n12 M129\n13 M5\n14 M30\n15 END PGM PATCHMILL MM\n");
+            "7 L A+0.000 C+0.000 FMAX\n8 M128\n9 L X+1.500 Y+0.000 R0 FMAX\n10 L Z+50.000 FMAX\n"
+            "11 L X+2.000 Z+49.000 A+1.000 C+2.000 F33.541\n12 L X+3.000 F15.000\n"
+            "13 L Z+60.000 R0 FMAX\n14 M129\n15 M5\n16 M30\n17 END PGM PATCHMILL MM\n");
 }
 
 TEST(ProgramWriter, FixedNumbers) {
