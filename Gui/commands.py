@@ -16,8 +16,7 @@ from patchmill.translate import QT_TRANSLATE_NOOP
 from PySide import QtGui
 
 from patchmill_gui import tool_paths
-from patchmill_gui.resources import icon, native, path
-from patchmill_gui.texture_panel import TexturePage
+from patchmill_gui.resources import icon, path
 
 
 def translate(text):
@@ -132,6 +131,50 @@ class CalibrationPatch(TextureCommand):
     TIP = QT_TRANSLATE_NOOP(
         "PatchMill_CalibrationPatch", "One patch whose best dimple tells the machine's start phase"
     )
+
+
+class CopyMilling(Command):
+    NAME = "PatchMill_CopyMilling"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_CopyMilling", "Copy milling")
+    TIP = QT_TRANSLATE_NOOP(
+        "PatchMill_CopyMilling", "Lines over the selected faces or the whole part, layer by layer"
+    )
+
+    def run(self):
+        found = FreeCADGui.Selection.getSelection()
+        if not found:
+            raise InputError(
+                translate("Selection"), translate("nothing"), translate("select a part or its faces.")
+            )
+        part, faces = selected_faces() or (found[0], [])
+        FreeCAD.setActiveTransaction(self.TEXT)  # see TextureCommand
+        operation = quick_setup.copy_milling("CopyMilling", part, faces)
+        FreeCADGui.Selection.clearSelection()
+        operation.ViewObject.Document.setEdit(operation.ViewObject, 0)
+
+
+class DressupDcm(Command):
+    NAME = "PatchMill_DressupDcm"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_DressupDcm", "DCM modifier")
+    TIP = QT_TRANSLATE_NOOP(
+        "PatchMill_DressupDcm", "Feed and tool posture of the selected operation from a voxel model"
+    )
+
+    def run(self):
+        from patchmill import dressup_dcm
+
+        found = [o for o in FreeCADGui.Selection.getSelection() if o.isDerivedFrom("Path::Feature")]
+        if len(found) != 1:
+            raise InputError(
+                translate("Selection"),
+                translate("{} operations").format(len(found)),
+                translate("select one operation of a job."),
+            )
+        FreeCAD.setActiveTransaction(self.TEXT)
+        dressup = dressup_dcm.Create("DressupDCM", found[0])
+        found[0].ViewObject.Visibility = False
+        FreeCADGui.Selection.clearSelection()
+        dressup.ViewObject.Document.setEdit(dressup.ViewObject, 0)
 
 
 class Play(Command):
@@ -267,21 +310,21 @@ class ExampleXu2016(Command):
 
 
 TEXTURES = (PlanarTexture, PyramidTexture, CurvedTexture)
-COMMANDS = TEXTURES + (CalibrationPatch, Play, Simulate, Check, Report, Post, ExampleXu2016, Examples)
+COMMANDS = TEXTURES + (
+    CalibrationPatch,
+    CopyMilling,
+    DressupDcm,
+    Play,
+    Simulate,
+    Check,
+    Report,
+    Post,
+    ExampleXu2016,
+    Examples,
+)
 
 
 def register():
     """Tells FreeCAD of all commands."""
     for command in COMMANDS:
         FreeCADGui.addCommand(command.NAME, command())
-
-
-def resources_of(proxy):
-    """FreeCAD's CommandResources for an operation's proxy: what its view provider needs."""
-    operation = type(proxy).__name__.replace("Object", "", 1)
-    (command,) = (
-        c for c in COMMANDS if issubclass(c, TextureCommand) and c.OPERATION == operation
-    )
-    return native("operation").CommandResources(
-        operation, None, TexturePage, icon(command.NAME), command.TEXT, None, command.TIP
-    )

@@ -11,7 +11,7 @@ from patchmill import machines
 
 from patchmill_gui.resources import native
 
-UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
+QUANTITIES = {"App::Property" + kind for kind in ("Length", "Distance", "Angle", "Speed")}
 
 
 class Row:
@@ -123,6 +123,23 @@ class TextRow(Row):
 
     def store(self, obj):
         _assign(obj, self.name, self.editor.text())
+
+
+class LinesRow(Row):
+    """A list of texts, one to a line."""
+
+    def __init__(self, name, obj):
+        editor = QtGui.QPlainTextEdit()
+        editor.setMaximumHeight(60)
+        self.name = name
+        super().__init__(editor, editor.textChanged)
+
+    def show(self, obj):
+        self.editor.setPlainText("\n".join(getattr(obj, self.name)))
+
+    def store(self, obj):
+        lines = [line.strip() for line in self.editor.toPlainText().splitlines() if line.strip()]
+        _assign(obj, self.name, lines)
 
 
 class FileRow(TextRow):
@@ -242,7 +259,7 @@ def row_for(kind, name, obj):
     """The Row for a property of FreeCAD type `kind`."""
     if name == "Machine":
         return MachineRow(name, obj)
-    if kind in UNITS:
+    if kind in QUANTITIES:
         return QuantityRow(name, obj)
     if kind in ("App::PropertyInteger", "App::PropertyIntegerConstraint"):
         return NumberRow(name, obj, True)
@@ -254,6 +271,7 @@ def row_for(kind, name, obj):
         "App::PropertyFileIncluded": FileRow,
         "App::PropertyLink": ObjectRow,
         "App::PropertyLinkListGlobal": ObjectListRow,
+        "App::PropertyStringList": LinesRow,
     }
     if kind in simple:
         return simple[kind](name, obj)

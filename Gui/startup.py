@@ -18,7 +18,8 @@ def attach_view(obj):
     """A view provider for a document object that PatchMill made, if FreeCAD shows it at all."""
     if obj.ViewObject is None:
         return
-    from patchmill_gui import texture_view, workbench
+    from patchmill_gui import workbench
+    from patchmill_gui.operation_views import attach_to
     from patchmill_gui.resources import native
 
     workbench.start()
@@ -26,7 +27,7 @@ def attach_view(obj):
         obj.ViewObject.Proxy = native("job").ViewProvider(obj.ViewObject)
         obj.ViewObject.addExtension("Gui::ViewProviderGroupExtensionPython")
     else:
-        texture_view.attach_to(obj)
+        attach_to(obj)
 
 
 def add_to_native_menu():

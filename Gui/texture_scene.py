@@ -18,10 +18,10 @@ SLICE_SECONDS, PAUSE_MS = 0.02, 10
 _numbers = itertools.count(1)
 
 
-class TextureScene:
-    """`root` is to be added to a view provider's root node."""
+class SceneParts:
+    """Named parts of a display. `root` is to be added to a view provider's root node."""
 
-    def __init__(self):
+    def __init__(self, parts):
         self.root = coin.SoSeparator()
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE  # what is under the display stays selectable
@@ -32,7 +32,7 @@ class TextureScene:
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._feed)
-        for part in PARTS:
+        for part in parts:
             switch, group = coin.SoSwitch(), coin.SoSeparator()
             group.setName(self.name(part))
             switch.addChild(group)
@@ -79,6 +79,13 @@ class TextureScene:
             display.show_chunk(self.name(part), number)
         if self._pending:
             self._timer.start(PAUSE_MS)
+
+
+class TextureScene(SceneParts):
+    """The parts of a texture's display."""
+
+    def __init__(self):
+        super().__init__(PARTS)
 
 
 def placed_displays(placed):

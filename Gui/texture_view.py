@@ -13,6 +13,7 @@ from FreeCAD import Qt
 from PySide import QtCore, QtGui
 
 from patchmill_gui.background import Background
+from patchmill_gui.path_view import show_native_lines
 from patchmill_gui.resources import native
 from patchmill_gui.texture_scene import PARTS, TextureScene, placed_displays, planned_displays
 
@@ -92,7 +93,7 @@ class ViewProvider(native("operation").ViewProvider):
         for part in PARTS:
             if not self.editing:
                 self.scene.switch(part, part in parts)
-        _show_native_lines(vobj, show == NATIVE and not self.editing)
+        show_native_lines(vobj, show == NATIVE and not self.editing)
 
     def _fill(self, show, planned):
         """Makes what is to be shown in the background, unless it is there."""
@@ -133,20 +134,3 @@ def _run_on(obj, command):
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(obj)
     FreeCADGui.runCommand(command)
-
-
-def _show_native_lines(vobj, on):
-    """FreeCAD has no switch for its lines: showing one movement from the end on is as good as none."""
-    start, count = (0, 0) if on else (max(0, vobj.Object.Path.Size - 1), 1)
-    if vobj.StartIndex != start:
-        vobj.StartIndex = start
-    if vobj.ShowCount != count:
-        vobj.ShowCount = count
-
-
-def attach_to(obj):
-    """Gives a texture operation its view provider, if it has none."""
-    from patchmill_gui.commands import resources_of
-
-    if obj.ViewObject is not None and not isinstance(obj.ViewObject.Proxy, ViewProvider):
-        ViewProvider(obj.ViewObject, resources_of(obj.Proxy))

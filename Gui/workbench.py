@@ -20,7 +20,8 @@ def toolbar():
     return (
         [host.NATIVE_COMMANDS["job"]]
         + textures
-        + ["PatchMill_CalibrationPatch", SEPARATOR, "PatchMill_Play", "PatchMill_Simulate"]
+        + ["PatchMill_CalibrationPatch", "PatchMill_CopyMilling", "PatchMill_DressupDcm", SEPARATOR]
+        + ["PatchMill_Play", "PatchMill_Simulate"]
         + ["PatchMill_Check", "PatchMill_Post", "PatchMill_Report", SEPARATOR]
         + ["PatchMill_ExampleXu2016"]
     )

@@ -10,6 +10,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
+from dataclasses import dataclass
 
 import _patchmill as core
 from _patchmill import InputError
@@ -40,13 +41,17 @@ RESULTS = [
 
 class ObjectCopyMilling(host.PathOp.ObjectOp):
     """An operation's proxy. `path` is the _patchmill.ToolPath of the last good execute, `error` the
-    InputError of the last one, else None. Neither is saved."""
+    InputError of the last one, else None. `ready`: a ToolPath that was made beforehand of what the
+    operation has now; the next execute takes it. None of them is saved."""
 
-    path = error = None
+    path = error = ready = None
 
     def opFeatures(self, obj):
         op = host.PathOp
         return op.FeatureTool | op.FeatureHeights | op.FeatureBaseFaces | op.FeatureCoolant
+
+    def isToolSupported(self, obj, tool):
+        return host.takes_ball_end(obj, tool)
 
     def initOperation(self, obj):
         self._add_properties(obj)
@@ -75,79 +80,127 @@ class ObjectCopyMilling(host.PathOp.ObjectOp):
         return super().execute(obj)
 
     def opExecute(self, obj):
+        ready, self.ready = self.ready, None
         try:
-            self.path, feed = mill(obj)
+            given = input_of(obj)
+            self.path = ready if ready is not None else mill(given)
         except InputError as error:
             self.error = error
             raise
-        text = str(core.freecad_text(self.path, feed, 4))
+        text = str(core.freecad_text(self.path, given.feed, 4))
         self.commandlist.extend(host.Path.Path(text).Commands)
         statistics = self.path.statistics()
         obj.Moves = len(self.path)
         obj.MachiningTime = statistics["timed_seconds"]
-        obj.Scallop = core.scallop_height(self.path.tool.radius, _last_radial(obj))
+        obj.Scallop = core.scallop_height(self.path.tool.radius, given.last_radial)
 
 
-def mill(obj):
-    """(ToolPath, feed [mm/s]) of a CopyMilling object. Raises InputError naming the property."""
+@dataclass
+class CopyInput:
+    """What copy milling needs of a document, so that it can run in any thread. mm, s; BREP texts."""
+
+    mode: str
+    passes: str
+    radial: float
+    axial: float
+    finishing_radial: float
+    allowance: float
+    tolerance: float
+    safe_height: float
+    feed: float
+    tool: core.BallEndMill
+    spindle: core.Spindle
+    stock: str
+    model: str
+    faces: str  # '' for the whole model
+    face_count: int = 0
+
+    @property
+    def last_radial(self):
+        """Distance of the lines of the last pass."""
+        own = self.finishing_radial
+        return own if own > 0.0 and self.passes != "Roughing" else self.radial
+
+
+def input_of(obj):
+    """CopyInput of a CopyMilling object. Raises InputError naming the property."""
     feed, tool, spindle = _cutting(obj.ToolController)
     _check(obj, tool)
-    stock, part = job_solids(obj)
+    job = host.PathUtils.findParentJob(obj)
+    if job is None:
+        raise InputError("Job", obj.Label, "the operation belongs to no job.")
+    faces = [base.Shape.getElement(n) for base, names in obj.Base for n in names if n]
+    return CopyInput(
+        obj.Mode,
+        obj.Passes,
+        obj.RadialDepth.Value,
+        obj.AxialDepth.Value,
+        obj.FinishingRadialDepth.Value,
+        obj.Allowance.Value,
+        obj.Tolerance.Value,
+        obj.SafeHeight.Value,
+        feed,
+        tool,
+        spindle,
+        *removal_model.job_shapes(job),
+        _compound(faces) if faces else "",
+        len(faces),
+    )
+
+
+def _compound(faces):
+    import Part
+
+    return Part.makeCompound(faces).exportBrepToString()
+
+
+def mill(given):
+    """ToolPath of a CopyInput. Raises InputError naming the property."""
+    stock, part = solids(given)
     low, high = stock.bounds
     floor = part.bounds[0][2]
     low[2] = max(low[2], floor)  # the stock below the part is not for this operation
 
     def path(radial, axial, allowance):
-        clearance = max(0.1, obj.SafeHeight.Value - high[2])
-        depths = (radial, axial, obj.Tolerance.Value, allowance)
-        room = (low, high, clearance, OVERLAP * tool.radius)
-        options = core.CopyOptions(obj.Mode, tool, spindle, feed, *depths, *room)
+        clearance = max(0.1, given.safe_height - high[2])
+        depths = (radial, axial, given.tolerance, allowance)
+        room = (low, high, clearance, OVERLAP * given.tool.radius)
+        options = core.CopyOptions(
+            given.mode, given.tool, given.spindle, given.feed, *depths, *room
+        )
         return core.copy_mill(part, options)
 
     made = []
-    if obj.Passes != "Finishing":
-        allowance = obj.Allowance.Value if obj.Passes == "Roughing and finishing" else 0.0
-        made.append(path(obj.RadialDepth.Value, obj.AxialDepth.Value, allowance + _roughing_only(obj)))
-    if obj.Passes == "Finishing" or (obj.Passes != "Roughing" and _needs_finishing(obj)):
+    if given.passes != "Finishing":
+        made.append(path(given.radial, given.axial, _left_by_layers(given)))
+    if given.passes == "Finishing" or (given.passes != "Roughing" and _needs_finishing(given)):
         # one layer from the top to the bottom of the stock; contours keep their levels
-        axial = obj.AxialDepth.Value if obj.Mode == "Contour" else 2.0 * (high[2] - low[2]) + 1.0
-        made.append(path(_last_radial(obj), axial, 0.0))
-    return core.joined(made), feed
+        axial = given.axial if given.mode == "Contour" else 2.0 * (high[2] - low[2]) + 1.0
+        made.append(path(given.last_radial, axial, 0.0))
+    return core.joined(made)
 
 
-def _roughing_only(obj):
-    return obj.Allowance.Value if obj.Passes == "Roughing" else 0.0
+def _left_by_layers(given):
+    """What the layers leave for a last pass, here or in another operation."""
+    return given.allowance
 
 
-def _needs_finishing(obj):
+def _needs_finishing(given):
     """The layers themselves finish the surface, unless an allowance or finer lines are asked for."""
-    return obj.Allowance.Value > 0.0 or _last_radial(obj) != obj.RadialDepth.Value
+    return given.allowance > 0.0 or given.last_radial != given.radial
 
 
-def _last_radial(obj):
-    own = obj.FinishingRadialDepth.Value
-    return own if own > 0.0 and obj.Passes != "Roughing" else obj.RadialDepth.Value
-
-
-def job_solids(obj):
-    """(stock, part) of the operation as _patchmill.Solid: the part is the faces chosen, or the model."""
-    job = host.PathUtils.findParentJob(obj)
-    if job is None:
-        raise InputError("Job", obj.Label, "the operation belongs to no job.")
-    stock, model = removal_model.job_shapes(job)
-    deflection = 0.25 * obj.Tolerance.Value
-    stock = core.solid_of_brep(stock, max(deflection, 0.01), "Stock")
-    undercut = obj.Mode == "Scanning with undercuts"
-    faces = [base.Shape.getElement(n) for base, names in obj.Base for n in names if n]
-    if not faces:
-        part = core.solid_of_brep(model, deflection, "Model", undercut)
+def solids(given):
+    """(stock, part) of a CopyInput as _patchmill.Solid: the part is the faces chosen, or the model."""
+    deflection = 0.25 * given.tolerance
+    stock = core.solid_of_brep(given.stock, max(deflection, 0.01), "Stock")
+    undercut = given.mode == "Scanning with undercuts"
+    if not given.faces:
+        part = core.solid_of_brep(given.model, deflection, "Model", undercut)
     elif undercut:
-        raise InputError("Base", "%d faces" % len(faces), "with undercuts choose the whole model.")
+        raise InputError("Base", "%d faces" % given.face_count, "with undercuts choose the whole model.")
     else:
-        import Part
-
-        text = Part.makeCompound(faces).exportBrepToString()
-        part = core.solid_of_brep(text, deflection, "Base", False)
+        part = core.solid_of_brep(given.faces, deflection, "Base", False)
     _check_inside(stock.bounds, part.bounds)
     return stock, part
 

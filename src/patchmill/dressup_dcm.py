@@ -11,7 +11,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill import dcm, host, removal_model
+from patchmill import dcm, hooks, host, removal_model
 from patchmill.translate import QT_TRANSLATE_NOOP
 
 CONTROLS = ["Feed", "Posture", "Feed and posture"]
@@ -73,9 +73,10 @@ RESULTS = [
 
 class DressupDCM:
     """Proxy. `model` is the RemovalModel and `result` the dcm.Result of the last good execute, else None;
-    `error` the InputError of the last execute, else None. None is saved."""
+    `error` the InputError of the last execute, else None. `ready`: (model, result) made beforehand of what
+    the dressup has now; the next execute takes it. None is saved."""
 
-    model = result = error = None
+    model = result = error = ready = None
 
     def __init__(self, obj, base):
         obj.addProperty(
@@ -115,17 +116,23 @@ class DressupDCM:
         obj.Path = host.Path.Path()
         if not obj.Base or not getattr(obj.Base, "Path", None):
             return
+        ready, self.ready = self.ready, None
         try:
-            given = dcm.input_of(obj)
-            self.model = removal_model.make(
-                given.model, removal_model.file_beside(obj.Document, obj.Name)
+            self.model, self.result = ready or compute(
+                dcm.input_of(obj), removal_model.file_beside(obj.Document, obj.Name)
             )
-            self.result = dcm.apply(given, self.model)
         except InputError as error:
             self.error = error
             raise
         obj.Path = host.Path.Path(self.result.commands)
         show_results(obj, self.model, self.result)
+
+
+def compute(given, file, progress=None):
+    """(RemovalModel, dcm.Result) of a DcmInput, without touching a document: for any thread. `file`: where
+    the model is kept, or ''. Raises InputError."""
+    model = removal_model.make(given.model, file, progress)
+    return model, dcm.apply(given, model)
 
 
 def add_properties(obj):
@@ -161,7 +168,7 @@ def Create(name, base):
     obj = FreeCAD.ActiveDocument.addObject("Path::FeaturePython", name)
     obj.Proxy = DressupDCM(obj, base)
     job.Proxy.addOperation(obj, base, True)  # takes the base's place among the operations
-    return obj
+    return hooks.announce(obj)
 
 
 def recompute(obj):

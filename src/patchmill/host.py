@@ -112,6 +112,15 @@ def tool_kind(bit):
     return kind.lower()
 
 
+def takes_ball_end(obj, tool):
+    """Whether an operation for ball end mills supports a tool bit: one of those, if its job has any. A new
+    operation, which has no controller yet, takes the first that fits: FreeCAD would ask with a dialog, and
+    fail where there is no GUI."""
+    tools = [c.Tool for c in tool_controllers(PathUtils.findParentJob(obj))]
+    fitting = [t for t in tools if tool_kind(t) == "ballend"] or tools
+    return tool in (fitting if obj.ToolController else fitting[:1])
+
+
 def append_controller(job):
     """A further tool controller of the job, with the next free tool number."""
     number = 1 + max((c.ToolNumber for c in tool_controllers(job)), default=0)

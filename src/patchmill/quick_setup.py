@@ -61,3 +61,16 @@ def texture(proxy_module, name, part, faces):
         setattr(operation, key, value)
     operation.Proxy.refresh_heights(operation)
     return operation
+
+
+def copy_milling(name, part, faces=()):
+    """A CopyMilling operation called `name` on the whole of `part`, or on its `faces` (names), with all that
+    it needs. Returns the operation, not recomputed."""
+    from patchmill import CopyMilling
+
+    job, model = job_for(part)
+    controller = ball_end_controller(job)
+    operation = CopyMilling.Create(name, parentJob=job)
+    operation.ToolController = controller
+    operation.Base = [(model, list(faces))] if faces else []
+    return operation

@@ -66,11 +66,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
         return op.FeatureTool | op.FeatureHeights | op.FeatureBaseFaces | op.FeatureCoolant
 
     def isToolSupported(self, obj, tool):
-        """Ball end mills, if the job has one. A new operation, which has no controller yet, takes the first
-        that fits: FreeCAD would ask with a dialog, and fail where there is no GUI."""
-        tools = [c.Tool for c in host.tool_controllers(host.PathUtils.findParentJob(obj))]
-        fitting = [t for t in tools if host.tool_kind(t) == "ballend"] or tools
-        return tool in (fitting if obj.ToolController else fitting[:1])
+        return host.takes_ball_end(obj, tool)
 
     def initOperation(self, obj):
         self._add_properties(obj)

@@ -1,0 +1,217 @@
+"""Task panel and view of DressupDCM: the voxel model's feed or posture in a slice, posture as arrows.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import _patchmill as core
+import FreeCAD
+import FreeCADGui
+from patchmill import dcm, dressup_dcm, removal_model, voxel_slices
+from PySide import QtCore, QtGui
+
+from patchmill_gui.computing import Computing, ComputingBox, translate
+from patchmill_gui.legend import Legend
+from patchmill_gui.path_view import PathScene, show_native_lines
+from patchmill_gui.property_form import PropertyForm, let_shrink
+from patchmill_gui.resources import icon
+from patchmill_gui.texture_summary import duration, grouped
+
+AXES = ("X", "Y", "Z")
+ARROWS_PER_AXIS = 24  # about so many along the longest side
+SLIDER_STEPS = 200
+
+
+class DcmPanel(Computing):
+    """Task panel. `self.form` is what FreeCAD shows."""
+
+    def __init__(self, obj):
+        self.obj = obj
+        self.scene = obj.ViewObject.Proxy.scene
+        self.legend = None
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(translate("DCM: feed and posture of {}").format(obj.Base.Label))
+        self.form.setWindowIcon(QtGui.QIcon(icon("PatchMill_DressupDcm")))
+        layout = QtGui.QVBoxLayout(self.form)
+        self.form_rows = PropertyForm(dressup_dcm.PROPERTIES, obj, closed=("Limits",))
+        self.form_rows.show()
+        self.form_rows.changed.connect(self.form_rows.store)
+        for group in self.form_rows.groups.values():
+            layout.addWidget(group)
+        self.box = ComputingBox()
+        layout.addWidget(self.box)
+        layout.addWidget(self._slice_box())
+        layout.addStretch()
+        self.start_computing()
+
+    def _slice_box(self):
+        box = QtGui.QGroupBox(translate("Slice through the voxels"))
+        rows = QtGui.QFormLayout(box)
+        self.axis, self.what = QtGui.QComboBox(), QtGui.QComboBox()
+        self.axis.addItems([translate("across {}").format(a) for a in AXES])
+        self.axis.setCurrentIndex(1)
+        self.what.addItems([translate("Feed"), translate("Posture"), translate("None")])
+        self.what.setObjectName("SliceOf")
+        self.place = QtGui.QSlider(QtCore.Qt.Horizontal)
+        self.place.setRange(0, SLIDER_STEPS)
+        self.place.setValue(SLIDER_STEPS // 2)
+        self.arrows = QtGui.QCheckBox(translate("Posture as arrows"))
+        for editor in (self.axis, self.what):
+            let_shrink(editor)
+            editor.currentIndexChanged.connect(lambda _: self.show_slice())
+        self.place.valueChanged.connect(lambda _: self.show_slice())
+        self.arrows.toggled.connect(lambda _: self.show_arrows())
+        rows.addRow(translate("Colour"), self.what)
+        rows.addRow(translate("Slice"), self.axis)
+        rows.addRow(translate("At"), self.place)
+        rows.addRow(self.arrows)
+        return box
+
+    def gather(self):
+        self.form_rows.store()
+        given = dcm.input_of(self.obj)
+        file = removal_model.file_beside(self.obj.Document, self.obj.Name)
+
+        def work(progress):
+            model, result = dressup_dcm.compute(given, file, progress)
+            feed = model.feed(given.low, given.high)
+            return model, result, feed, core.path_display(result.path), (given.low, given.high)
+
+        return work
+
+    def show_result(self, result):
+        model, made, _, display, _ = result
+        self.scene.show(display)
+        self.box.text.setText(
+            translate("{} moves, {} of milling instead of {}").format(
+                grouped(made.steps["moves"]), duration(made.seconds), duration(made.base_seconds)
+            )
+        )
+        self.show_slice()
+        self.show_arrows()
+
+    def show_slice(self):
+        """The coloured voxels of the slice that is chosen, from the last result."""
+        if self.result is None:
+            return
+        model, _, feed, _, (low, high) = self.result
+        grid, axis, what = model.grid, self.axis.currentIndex(), self.what.currentIndex()
+        self.scene.parts.switch("slice", what < 2)
+        self._hide_legend()
+        if what == 2 or (what == 1 and model.posture is None):
+            return
+        least, most = voxel_slices.slice_range(model, axis)
+        place = least + (most - least) * self.place.value() / SLIDER_STEPS
+        if what == 0:
+            title, (low, high) = translate("feed [mm/min]"), (60.0 * low, 60.0 * high)
+            centres, values = voxel_slices.feed_slice(model, feed, axis, place)
+            values = 60.0 * values
+        else:
+            title, (low, high) = translate("tilt [°]"), (0.0, 90.0)
+            centres, values = voxel_slices.tilt_slice(model, axis, place)
+        display = core.slice_display(centres, list(values), 0.98 * grid.pitch, axis, low, high)
+        self.scene.parts.show({"slice": display})
+        view = FreeCADGui.ActiveDocument.ActiveView
+        self.legend = Legend(title, low, high, 0, view.getSize())
+        view.getSceneGraph().addChild(self.legend.root)
+
+    def show_arrows(self):
+        on = self.arrows.isChecked() and self.result is not None
+        on = on and self.result[0].posture is not None
+        self.scene.parts.switch("arrows", on)
+        if not on:
+            return
+        model = self.result[0]
+        longest = max(model.stock.bounds[1] - model.stock.bounds[0])
+        stride = max(1, int(round(longest / model.grid.pitch / ARROWS_PER_AXIS)))
+        places, axes = model.grid.arrows(model.posture, stride)
+        tilt = voxel_slices.tilt_of(axes)
+        size = 0.9 * stride * model.grid.pitch
+        display = core.arrow_display(places, axes, size, list(tilt), 0.0, 90.0)
+        self.scene.parts.show({"arrows": display})
+
+    def _hide_legend(self):
+        if self.legend is not None:
+            FreeCADGui.ActiveDocument.ActiveView.getSceneGraph().removeChild(self.legend.root)
+            self.legend = None
+
+    def getStandardButtons(self):
+        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+
+    def accept(self):
+        self.compute(True)
+        return False  # finish closes the dialog
+
+    def finish(self, result):
+        self.obj.Proxy.ready = result[:2]
+        self.obj.touch()
+        self.obj.Document.recompute()
+        FreeCAD.ActiveDocument.commitTransaction()
+        self._close()
+
+    def reject(self):
+        if self.closing and self.cancel():
+            return False
+        self.work.cancel()
+        FreeCAD.ActiveDocument.abortTransaction()
+        self._close()
+        FreeCAD.ActiveDocument.recompute()
+        return True
+
+    def _close(self):
+        self._hide_legend()
+        for part in ("slice", "arrows"):
+            self.scene.parts.switch(part, False)
+        FreeCADGui.Control.closeDialog()
+        FreeCADGui.ActiveDocument.resetEdit()
+
+
+class DcmView:
+    """View provider of a DressupDCM."""
+
+    def __init__(self, vobj):
+        self.scene = None
+        vobj.Proxy = self
+
+    def attach(self, vobj):
+        self.vobj, self.obj = vobj, vobj.Object
+        self.scene = PathScene(vobj)
+
+    def claimChildren(self):
+        return [self.obj.Base] if self.obj.Base else []
+
+    def getIcon(self):
+        return icon("PatchMill_DressupDcm")
+
+    def onChanged(self, vobj, prop):
+        if prop == "Visibility" and self.scene:
+            self.scene.switch(vobj.Visibility)
+
+    def updateData(self, obj, prop):
+        if prop == "Path" and self.scene:
+            result = getattr(obj.Proxy, "result", None)
+            shown = self.scene.follow(result.path if result else None)
+            show_native_lines(obj.ViewObject, not shown)
+
+    def setEdit(self, vobj, mode=0):
+        if mode != 0:
+            return False
+        if not FreeCAD.getActiveTransaction():
+            FreeCAD.ActiveDocument.openTransaction("DCM")
+        FreeCADGui.Control.closeDialog()
+        self.panel = DcmPanel(vobj.Object)
+        FreeCADGui.Control.showDialog(self.panel)
+        return True
+
+    def unsetEdit(self, vobj, mode=0):
+        return False
+
+    def onDelete(self, vobj, names=None):
+        return vobj.Object.Proxy.onDelete(vobj.Object, names)
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        self.scene = None
+
+    __getstate__, __setstate__ = dumps, loads

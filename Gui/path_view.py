@@ -1,0 +1,50 @@
+"""A tool path in the 3-D view, for operations whose only display it is. Drawn by us: FreeCAD draws paths
+with rotary words wrongly (see src/scene/path_nodes.h).
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import _patchmill as core
+
+from patchmill_gui.background import Background
+from patchmill_gui.texture_scene import SceneParts
+
+
+class PathScene:
+    """The display of one document object's path, added to its view."""
+
+    def __init__(self, vobj):
+        self.parts = SceneParts(("path", "slice", "arrows"))
+        self.parts.switch("path", True)
+        vobj.RootNode.addChild(self.parts.root)
+        self.drawing = Background()
+        self.drawing.finished.connect(self.show)
+        self.path = None
+
+    def show(self, display):
+        self.parts.show({"path": display})
+
+    def switch(self, on):
+        self.parts.switch("path", on)
+
+    def filled(self):
+        return self.parts.filled("path")
+
+    def follow(self, path):
+        """Draws a ToolPath, in the background; nothing if it is None. Returns whether there is one."""
+        if path is self.path:
+            return path is not None
+        self.path = path
+        self.parts.clear()
+        if path is not None:
+            self.drawing.start(lambda progress: core.path_display(path))
+        return path is not None
+
+
+def show_native_lines(vobj, on):
+    """FreeCAD has no switch for its lines: showing one movement from the end on is as good as none."""
+    start, count = (0, 0) if on else (max(0, vobj.Object.Path.Size - 1), 1)
+    if vobj.StartIndex != start:
+        vobj.StartIndex = start
+    if vobj.ShowCount != count:
+        vobj.ShowCount = count

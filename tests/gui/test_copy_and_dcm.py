@@ -1,0 +1,127 @@
+"""Copy milling and the DCM modifier from their commands: panels, background, undo, reopening.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import os
+import tempfile
+import unittest
+
+import FreeCAD
+import FreeCADGui
+import driver
+import numpy as np
+from patchmill_gui import tool_paths
+
+
+class CopyAndDcm(unittest.TestCase):
+    def setUp(self):
+        self.document, self.part = driver.new_document(driver.wavy_block())
+
+    def tearDown(self):
+        if driver.panel_open():
+            FreeCADGui.Control.closeDialog()
+        FreeCAD.closeDocument(self.document.Name)
+
+    def names(self):
+        return {o.Name for o in self.document.Objects}
+
+    def begin_copy(self):
+        driver.select(self.part, driver.top_face(self.part.Shape))
+        FreeCADGui.runCommand("PatchMill_CopyMilling")
+        operation = self.document.getObject("CopyMilling")
+        return operation, driver.panel_of(operation)
+
+    def accept(self, panel):
+        panel.accept()
+        closed = driver.wait(lambda: not driver.panel_open() or panel.error is not None)
+        self.assertIsNone(panel.error)
+        self.assertTrue(closed and not driver.panel_open(), "the panel did not close")
+
+    def copy_milled(self):
+        operation, panel = self.begin_copy()
+        self.accept(panel)
+        return operation
+
+    def begin_dcm(self, operation):
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(operation)
+        FreeCADGui.runCommand("PatchMill_DressupDcm")
+        dressup = self.document.getObject("DressupDCM")
+        return dressup, dressup.ViewObject.Proxy.panel
+
+    def test_copy_milling_of_a_face_in_one_step_of_undo(self):
+        before = self.names()
+        operation, panel = self.begin_copy()
+        panel.form_rows.rows["RadialDepth"].editor.setProperty("rawValue", 3.0)
+        panel.box.button.click()
+        self.assertTrue(driver.wait(lambda: panel.result is not None))
+        self.assertTrue(operation.ViewObject.Proxy.scene.filled())
+        self.accept(panel)
+        self.assertEqual(operation.State, ["Up-to-date"])
+        self.assertAlmostEqual(operation.RadialDepth.Value, 3.0)
+        self.assertGreater(operation.Moves, 20)
+        self.assertEqual(len(tool_paths.path_of(operation)), operation.Moves)
+        self.document.undo()
+        self.assertEqual(self.names(), before)
+
+    def test_cancel_leaves_nothing(self):
+        before = self.names()
+        _, panel = self.begin_copy()
+        panel.reject()
+        self.assertTrue(driver.wait(lambda: not driver.panel_open()))
+        self.assertEqual(self.names(), before)
+
+    def test_bad_values_are_told_at_their_field(self):
+        _, panel = self.begin_copy()
+        panel.form_rows.rows["AxialDepth"].editor.setProperty("rawValue", 0.0)
+        panel.accept()
+        self.assertTrue(driver.wait(lambda: panel.error is not None))
+        self.assertIn("more than zero", panel.form_rows.rows["AxialDepth"].error.text())
+        self.assertTrue(driver.panel_open())
+        panel.reject()
+
+    def test_dcm_on_copy_milling_with_its_slice(self):
+        operation = self.copy_milled()
+        dressup, panel = self.begin_dcm(operation)
+        panel.form_rows.rows["VoxelSize"].editor.setProperty("rawValue", 1.0)
+        panel.box.button.click()
+        self.assertTrue(driver.wait(lambda: panel.result is not None or panel.error is not None))
+        self.assertIsNone(panel.error)
+        scene = dressup.ViewObject.Proxy.scene.parts
+        self.assertTrue(scene.filled("slice") and scene.shown("slice"))
+        self.accept(panel)
+        self.assertFalse(scene.shown("slice"))
+        path = tool_paths.path_of(dressup)
+        lengths = np.linalg.norm(np.diff(np.vstack([[path.start], path.tips]), axis=0), axis=1)
+        timed = np.isfinite(path.turns) & (lengths > 1e-9)
+        feeds = 60.0 * lengths[timed] / (path.turns[timed] / path.spindle.speed)
+        self.assertGreater(feeds.max(), feeds.min() + 50.0)  # mm/min: not one feed for all
+        self.assertLessEqual(feeds.max(), 800.0 * 1.001)
+
+    def test_cancelled_dcm_gives_the_operation_back_to_its_job(self):
+        operation = self.copy_milled()
+        before = self.names()
+        _, panel = self.begin_dcm(operation)
+        panel.reject()
+        driver.wait(lambda: not driver.panel_open())
+        self.assertEqual(self.names(), before)
+        self.assertIn(operation, self.document.getObject("Job").Operations.Group)
+
+    def test_views_are_restored_on_reopening(self):
+        dressup, panel = self.begin_dcm(self.copy_milled())
+        self.accept(panel)
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "saved.FCStd")
+            self.document.saveAs(name)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(name)
+        driver.rest(0.3)
+        for name, module in (("CopyMilling", "copy_panel"), ("DressupDCM", "dcm_panel")):
+            view = self.document.getObject(name).ViewObject.Proxy
+            self.assertEqual(type(view).__module__, "patchmill_gui." + module)
+            self.assertIsNotNone(view.scene)
+
+
+def main():
+    return driver.run_tests(CopyAndDcm)
