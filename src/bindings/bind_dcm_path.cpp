@@ -48,6 +48,7 @@ std::vector<HolderSection> holder_of(const Sections& sections) {
 ClearOptions clear_options(double clearance, double lowest) {
   ClearOptions options;
   options.clearance = clearance;
+  options.resolution = std::max(0.02, 0.1 * clearance);
   options.lowest = Angle::radians(lowest);
   return options;
 }

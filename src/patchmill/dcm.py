@@ -10,7 +10,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import base_path, host, machines, removal_model
+from patchmill import base_path, host, machines, removal_model, tilted_path
 from patchmill.texture_operation import ObjectTexture
 
 STEEP = -0.5  # a move that falls by more than half its length is a plunge
@@ -158,9 +158,17 @@ def control(given, model):
 
 def apply(given, model):
     """Result for a DcmInput and its RemovalModel. Raises InputError."""
+    machine = tilted_path.machine_of(given.machine) if given.posture else None
     made = control(given, model)
-    commands = _commands(given, made.base, made.path, made.source)
-    return Result(commands, made.path, made.planned, core.path_steps(made.path), made.not_clear)
+    path = made.path
+    if given.posture:
+        path, joints = tilted_path.with_angles(path, machine)
+        commands = tilted_path.write(made.base, path, made.source, joints, machine, host.Path.Command)
+    else:
+        commands = base_path.write(
+            made.base, path, made.source, given.feed_tolerance, host.Path.Command
+        )
+    return Result(commands, path, made.planned, core.path_steps(path), made.not_clear)
 
 
 def slow_plunges(path, planned, source):
@@ -177,14 +185,6 @@ def slow_plunges(path, planned, source):
     return core.make_path(
         path.tool, path.spindle, path.start, path.tips, path.axes, list(path.kinds), list(turns)
     )
-
-
-def _commands(given, base, path, source):
-    if given.posture:
-        raise InputError(
-            "Controls", "Posture", "a machine file with rotary axes is needed to write a tilted path."
-        )
-    return base_path.write(base, path, source, given.feed_tolerance, host.Path.Command)
 
 
 def _check(given):

@@ -125,4 +125,25 @@ def distance_off(points, way, tangents):
     return worst
 
 
-__all__ = ["Path", "add_pocket", "add_profile", "distance_off", "make_job", "pocket_part", "trace"]
+def distance_to_lines(points, corners):
+    """Greatest distance of `points` from the polyline with these corners."""
+    a, d = corners[:-1], np.diff(corners, axis=0)
+    square = np.maximum((d**2).sum(1), 1e-30)
+    worst = 0.0
+    for chunk in np.array_split(points, max(1, len(points) * len(a) // 2_000_000)):
+        v = chunk[:, None] - a[None]
+        t = np.clip((v * d[None]).sum(2) / square, 0, 1)
+        worst = max(worst, float(np.linalg.norm(v - t[..., None] * d[None], axis=2).min(1).max()))
+    return worst
+
+
+__all__ = [
+    "Path",
+    "add_pocket",
+    "add_profile",
+    "distance_off",
+    "distance_to_lines",
+    "make_job",
+    "pocket_part",
+    "trace",
+]

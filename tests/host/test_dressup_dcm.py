@@ -10,15 +10,28 @@ import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+sys.path.insert(0, str(HERE.parents[1] / "Resources" / "recipes" / "kobayashi2014"))
 
+import _patchmill as core  # noqa: E402
 import FreeCAD  # noqa: E402
+import make_parts  # noqa: E402
 import numpy as np  # noqa: E402
 import Part  # noqa: E402
 import patchmill  # noqa: E402
-from milling_jobs import add_pocket, add_profile, distance_off, make_job, pocket_part, trace  # noqa: E402
+from milling_jobs import (  # noqa: E402
+    add_pocket,
+    add_profile,
+    distance_off,
+    distance_to_lines,
+    make_job,
+    pocket_part,
+    trace,
+)
 from patchmill import DressupDCM, InputError  # noqa: E402
 from recipe import small_job  # noqa: E402
+from test_copy_milling import job_with_stock  # noqa: E402
 
 CONTACT = 0.001  # mm
 LOW, HIGH = 400.0 / 60.0, 800.0 / 60.0
@@ -30,6 +43,18 @@ def dress(operation, **properties):
     for name, value in properties.items():
         setattr(dressup, name, value)
     return dressup
+
+
+def convex_posture(**depths):
+    """(job, dressup, result): the paper's posture over its convex part, copied in scanning lines."""
+    document, job = job_with_stock(make_parts.convex_part(), 1.0)
+    operation = patchmill.CopyMilling.Create("Copy", parentJob=job)
+    operation.RadialDepth, operation.AxialDepth = 10.0, 8.0
+    for name, value in depths.items():
+        setattr(operation, name, value)
+    patchmill.CopyMilling.recompute(operation)
+    dressup = dress(operation, Controls="Feed and posture", Machine="table-table-ac", TiltLimit=40.0)
+    return job, dressup, DressupDCM.recompute(dressup)
 
 
 class OnFreeCADsOwn(unittest.TestCase):
@@ -133,6 +158,56 @@ class OnFreeCADsOwn(unittest.TestCase):
         feeds = {float(w[1:]) for line in text.splitlines() for w in line.split() if w.startswith("F")}
         self.assertGreater(len(feeds), 20)
         self.assertLessEqual(max(feeds), 800.01)
+
+
+class Posture(unittest.TestCase):
+    """On copy milling over the paper's convex part, for LinuxCNC's xyzac machine."""
+
+    def tearDown(self):
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+
+    def test_ball_centre_is_kept_and_the_axes_have_time(self):
+        job, dressup, result = convex_posture()
+        path, base = result.path, result.base
+        axes = np.vstack([path.axes[:1], path.axes])
+        centres = np.vstack([np.array(path.start)[None], path.tips]) + 3.0 * axes
+        cut = path.kinds > 0
+        planned = np.vstack([np.array(base.start)[None], base.tips]) + (0, 0, 3.0)
+        on_the_way = []
+        for s in (0.25, 0.5, 0.75, 1.0):  # tip and axis go evenly
+            axis = axes[:-1] + s * np.diff(axes, axis=0)
+            axis /= np.linalg.norm(axis, axis=1)[:, None]
+            tips = centres[:-1] - 3.0 * axes[:-1]
+            tips = tips + s * (centres[1:] - 3.0 * axes[1:] - tips)
+            on_the_way.append((tips + 3.0 * axis)[cut])
+        off = distance_to_lines(np.vstack(on_the_way), planned)
+        print("ball centre off by %.3f um, tilts up to %.1f degrees, %d moves" % (
+            1000 * off, np.degrees(np.arccos(path.axes[:, 2].min())), len(path)))
+        self.assertLess(off, CONTACT)
+        self.assertGreater(np.degrees(np.arccos(path.axes[:, 2].min())), 20.0)
+        machine = patchmill.machines.load("table-table-ac")
+        _, joints = patchmill.tilted_path.with_angles(path, machine)
+        rates = np.radians([a["velocity_deg_s"] for a in machine.data["rotary_axes"]])
+        turned = np.abs(np.diff(joints, axis=0))
+        seconds = path.turns / path.spindle.speed
+        self.assertLessEqual((turned[cut] / rates / seconds[cut][:, None]).max(), 1 + 1e-9)
+        for axis, joint in zip(path.axes, joints[1:]):
+            np.testing.assert_allclose(machine.kinematics.tool_axis(joint), axis, atol=1e-9)
+
+    def test_holder_is_kept_clear(self):
+        job, dressup, result = convex_posture(RadialDepth=60.0, Passes="Finishing")
+        holder = [(3.0, 20.0, 2.5, 2.5), (20.0, 60.0, 16.0, 16.0)]  # over the ball centre, radii
+        part = dressup.Proxy.model.part
+        before = core.holder_clearance(part, holder, result.path, 1.0, 1.0)
+        dressup.Holder = ["6 23 5 5", "23 63 32 32"]  # over the tip, diameters
+        after = DressupDCM.recompute(dressup)
+        now = core.holder_clearance(part, holder, after.path, 1.0, 1.0)
+        print("holder %.2f mm before, %.2f mm after; %d places not clear" % (
+            before["least"], now["least"], dressup.NotClear))
+        self.assertLess(before["least"], 0.9)
+        self.assertEqual(dressup.NotClear, 0)
+        self.assertGreaterEqual(now["least"], 1.0 - 0.1)  # found to a tenth of the clearance
 
 
 class Saved(unittest.TestCase):
@@ -241,6 +316,13 @@ class BadInput(unittest.TestCase):
     def test_posture_needs_a_ball_and_rotary_axes(self):
         dressup = dress(self.operation, Controls="Posture")
         self.refused("ToolController", dressup)
+        controller = patchmill.host.add_ball_end_controller(self.job, 6.0, 2, 400.0, 6000.0)
+        self.operation.ToolController = controller
+        self.document.recompute()
+        self.words = [c.toGCode() for c in self.operation.Path.Commands]
+        self.refused("Machine", dressup)
+        dressup.Machine = "linuxcnc-mill"
+        self.refused("Machine", dressup)
 
     def test_a_textures_feed_is_its_timing(self):
         document, job, texture = small_job()
