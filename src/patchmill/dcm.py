@@ -162,8 +162,8 @@ def apply(given, model):
     made = control(given, model)
     path = made.path
     if given.posture:
-        path, joints = tilted_path.with_angles(path, machine)
-        commands = tilted_path.write(made.base, path, made.source, joints, machine, host.Path.Command)
+        path, source, joints = tilted_path.with_angles(path, made.source, machine)
+        commands = tilted_path.write(made.base, path, source, joints, machine, host.Path.Command)
     else:
         commands = base_path.write(
             made.base, path, made.source, given.feed_tolerance, host.Path.Command

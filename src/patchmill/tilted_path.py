@@ -14,6 +14,8 @@ from _patchmill import InputError
 from patchmill import machines
 
 RAPID = 0
+CENTRE_ERROR = 0.0005  # mm
+MOST_HALVINGS = 12
 BLEND = 0.005  # mm: LinuxCNC may round corners by so much
 
 
@@ -36,21 +38,53 @@ def machine_of(name):
     return machine
 
 
-def with_angles(path, machine):
-    """(path, joints [rad] at its start and at the end of each move): moves get the time that the rotary axes
-    need. Raises InputError naming ToolAxis or Machine."""
-    try:
-        posture = core.plan_path_joints(machine.kinematics, path)
-    except InputError as error:
-        raise InputError("TiltLimit", error.value, "%s Tilt less." % error.remedy) from error
+def with_angles(path, source, machine):
+    """(path, source, joints [rad] at its start and at the end of each move). Moves get the time that the
+    rotary axes need, and are halved where the axes, turning evenly, would take the ball centre off its line:
+    near a pole one of them turns far while the tool hardly tilts. Raises InputError naming TiltLimit."""
+    kinematics = machine.kinematics
+    for _ in range(MOST_HALVINGS):
+        try:
+            joints = core.plan_path_joints(kinematics, path).joints
+        except InputError as error:
+            raise InputError("TiltLimit", error.value, "%s Tilt less." % error.remedy) from error
+        halve = (centre_error(path, joints, kinematics) > CENTRE_ERROR) & (path.kinds != RAPID)
+        if not halve.any():
+            break
+        path, source = halved(path, source, halve)
     rates = np.radians([axis["velocity_deg_s"] for axis in machine.data["rotary_axes"]])
-    turned = np.abs(np.diff(posture.joints, axis=0))[:, : len(rates)]
+    turned = np.abs(np.diff(joints, axis=0))[:, : len(rates)]
     needed = (turned / rates).max(axis=1) * path.spindle.speed
     turns = np.where(path.kinds == RAPID, path.turns, np.fmax(path.turns, needed))
-    slowed = core.make_path(
-        path.tool, path.spindle, path.start, path.tips, path.axes, list(path.kinds), list(turns)
-    )
-    return slowed, posture.joints
+    return remade(path, path.tips, path.axes, path.kinds, turns), source, joints
+
+
+def centre_error(path, joints, kinematics):
+    """How far the ball centre is from the middle of its line half-way through each move [mm]."""
+    middle = 0.5 * (joints[1:] + joints[:-1])
+    axes = np.array([kinematics.tool_axis(joint) for joint in middle]).reshape(-1, 3)
+    before = np.vstack([path.axes[:1], path.axes[:-1]])
+    return path.tool.radius * np.linalg.norm(axes - 0.5 * (before + path.axes), axis=1)
+
+
+def halved(path, source, halve):
+    """The path with the moves that `halve` says in two, the ball centre on its line and the axis between."""
+    radius = path.tool.radius
+    axes = np.vstack([path.axes[:1], path.axes])
+    centres = np.vstack([np.array(path.start)[None], path.tips]) + radius * axes
+    middle_axes = axes[1:] + axes[:-1]
+    middle_axes /= np.linalg.norm(middle_axes, axis=1)[:, None]
+    middle_tips = 0.5 * (centres[1:] + centres[:-1]) - radius * middle_axes
+    at = np.flatnonzero(halve)
+    turns = np.where(halve, 0.5 * path.turns, path.turns)
+    tips, axes = np.insert(path.tips, at, middle_tips[at], 0), np.insert(path.axes, at, middle_axes[at], 0)
+    kinds = np.insert(path.kinds, at, path.kinds[at])
+    made = remade(path, tips, axes, kinds, np.insert(turns, at, turns[at]))
+    return made, np.insert(source, at, np.asarray(source)[at])
+
+
+def remade(path, tips, axes, kinds, turns):
+    return core.make_path(path.tool, path.spindle, path.start, tips, axes, list(kinds), list(turns))
 
 
 def write(base, path, source, joints, machine, make_command):

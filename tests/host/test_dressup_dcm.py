@@ -187,7 +187,9 @@ class Posture(unittest.TestCase):
         self.assertLess(off, CONTACT)
         self.assertGreater(np.degrees(np.arccos(path.axes[:, 2].min())), 20.0)
         machine = patchmill.machines.load("table-table-ac")
-        _, joints = patchmill.tilted_path.with_angles(path, machine)
+        source = np.arange(len(path))
+        path, source, joints = patchmill.tilted_path.with_angles(path, source, machine)
+        self.assertEqual(len(source), len(result.path))  # nothing is left to be halved
         rates = np.radians([a["velocity_deg_s"] for a in machine.data["rotary_axes"]])
         turned = np.abs(np.diff(joints, axis=0))
         seconds = path.turns / path.spindle.speed
