@@ -23,12 +23,13 @@ struct Lanes3 {
   Lanes x, y, z;
 };
 
-constexpr int kSurelyNewton = 2;     // steps that every chunk takes
-constexpr float kNearAxis = 1.2f;    // above 1: a margin for what is curved
-constexpr float kFarSide = 0.4f;     // the azimuth runs against the spindle: Newton may miss it
-constexpr float kTipDisc = 0.015f;   // the way of the point is a little curved
-constexpr float kTimeSlack = 0.05f;  // [rad] about the times at which a cell may be cut
-constexpr float kTipWidth = 1e-4f;   // [mm]; so near to the tip all azimuths are one
+constexpr int kSurelyNewton = 2;      // steps that every chunk takes
+constexpr float kNearAxis = 1.2f;     // above 1: a margin for what is curved
+constexpr float kFarSide = 0.4f;      // the azimuth runs against the spindle: Newton may miss it
+constexpr float kTipDisc = 0.015f;    // the way of the point is a little curved
+constexpr float kTimeSlack = 0.25f;   // [rad] about the time at which the ball reaches a cell
+constexpr float kWindowSlack = 0.8f;  // [rad] about the time at which the azimuth may be as fast
+constexpr float kTipWidth = 1e-4f;    // [mm]; so near to the tip all azimuths are one
 constexpr int kMostCrossings = 3;
 constexpr int kSecants = 7;
 constexpr int kGroup = 4;                // registers that take turns

@@ -47,8 +47,9 @@ PATCHMILL_INLINE Mask near_axis(const PassFrame& pass, const Cells& cells, const
   const Lanes px = across + passing * across_rate, py = ahead + passing * ahead_rate;
   Lanes window = larger(inner - (px * px + py * py), all(0.0f)) / rate;
   root(window);
-  return near & (room > 0.0f) & (from < to) & (from < passing + window + (middle + kTimeSlack)) &
-         (to > passing - window + (middle - kTimeSlack));
+  return near & (room > 0.0f) & (from < to) &
+         (from < passing + 1.2f * window + (middle + kWindowSlack)) &
+         (to > passing - 1.2f * window + (middle - kWindowSlack));
 }
 
 /// sin and cos for |v| < 1.7, to 1e-6.

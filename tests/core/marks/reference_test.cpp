@@ -170,6 +170,20 @@ TEST(Reference, ZigzagOfANearlyUprightTool) {
   }
 }
 
+// Straight on, so that the times at which a cell near the axis may be cut are known in closed form.
+TEST(Reference, StraightRowsPastTheTip) {
+  for (const double tilt : {11.0, 15.0, 27.0})
+    for (const double feed : {0.25, 0.38, 0.7}) {  // per tooth
+      Way way;
+      way.tips = {{-0.3, 0.2, 0.0}, {2.7, 0.26, 0.0}};
+      way.axis = test::tilted_axis(tilt * kPi / 180.0, 2.5 - tilt);
+      way.sense = feed > 0.3 ? 1.0 : -1.0;
+      way.turns = 3.0 / (3.0 * feed);
+      lower_tips_to_touch(way);
+      EXPECT_LT(difference(way, {{1.0, 3}, {}, {}}), kWithin) << tilt << " " << feed;
+    }
+}
+
 TEST(Reference, TipAlongAFlatRow) {
   Way way = two_rows();
   way.axis = test::tilted_axis(kPi / 36, 0.4);
