@@ -83,7 +83,7 @@ def targets_of(plan, program):
 
 
 def cut(folder, name, strategy, same_flute, extra_turns):
-    """(SimulatedTexture of the recording, phase.Report)."""
+    """SimulatedTexture of the recording, phase.Report, and SimulatedTexture of the motion model."""
     job, op = make_operation(name, strategy, same_flute, extra_turns)
     plan = patchmill.recompute(op)
     program = os.path.join(folder, name + ".ngc")
@@ -95,23 +95,38 @@ def cut(folder, name, strategy, same_flute, extra_turns):
     samples = np.column_stack([log.time, log.tip, azimuth])
     from_start = log.time > report.time[0] - 1.0  # the spindle stands still before
     result = patchmill.simulate(op, samples=samples[from_start], step=0.01)
+    predicted = patchmill.simulate(op, machine="simulated", step=0.01)
     FreeCAD.closeDocument(op.Document.Name)
-    return result, report
+    return result, report, predicted
 
 
 def main(out):
     reliefs, titles = [], []
-    print("| path | phase, rms | found of 196 | extra | off their places, rms | array | quality |")
-    print("| --- | --- | --- | --- | --- | --- | --- |")
+    print(
+        "| path | phase, rms | found of 196 | extra | off their places, rms | array | quality "
+        "| off by the motion model, rms | quality |"
+    )
+    print("|" + " --- |" * 9)
     with tempfile.TemporaryDirectory(prefix="patchmill-recorded-") as folder:
         make_machine(folder)
         for number, (title, *case) in enumerate(CASES):
-            result, report = cut(folder, "case%d" % number, *case)
+            result, report, predicted = cut(folder, "case%d" % number, *case)
             d = result.data()
+            p = predicted.data()
             print(
-                "| %s | %.1f° | %d | %d | %.1f µm, %.1f %% of f | %s | %.2f |"
-                % (title, report.rms, d["found"], d["extra"], 1e3 * d["place_rms_mm"],
-                   100 * d["place_rms_share"], d["alignment"], d["quality"])
+                "| %s | %.1f° | %d | %d | %.1f µm, %.1f %% of f | %s | %.2f | %.1f µm | %.2f |"
+                % (
+                    title,
+                    report.rms,
+                    d["found"],
+                    d["extra"],
+                    1e3 * d["place_rms_mm"],
+                    100 * d["place_rms_share"],
+                    d["alignment"],
+                    d["quality"],
+                    1e3 * p["place_rms_mm"],
+                    p["quality"],
+                )
             )
             reliefs.append(result.heights)
             titles.append("%s\n%d of %d found, rms %.0f µm" % (
