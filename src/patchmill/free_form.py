@@ -11,7 +11,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill import strategies
-from patchmill.texture_division import lattice_start, sampler_on
+from patchmill.texture_division import divide_on_surface, sampler_on
 
 
 def place(given, progress=None):
@@ -25,9 +25,10 @@ def place(given, progress=None):
         given.patch_shape, given.free_side, given.cross_feed, given.feed_per_tooth
     )
     plane, sampler, low, high = sampler_on(given)
-    stands, lattice = _stands(given, patch, plane, sampler, low, high, progress)
-    if stands is None:
+    divided = _stands(given, patch, plane, sampler, low, high, progress)
+    if divided is None:
         return None
+    stands, lattice = divided
     outward = given.helix_order == "Outward"
     corners_fit = given.plane_fit == "Corners"
     placed = core.place_free(
@@ -62,22 +63,14 @@ def _with_feed(given):
 
 
 def _stands(given, patch, plane, sampler, low, high, progress):
-    """Where the patches stand, and the lattice laid on the surface or None; (None, None) if `progress`
-    returned False."""
+    """Where the patches stand, and the lattice laid on the surface or None; None if `progress` returned
+    False."""
     pattern = patch.stands()
-    covering = given.patches_x == 0 and given.patches_y == 0
-    lattice = None
     if given.mapping != "Projected":
-        start = lattice_start(given, sampler, low, high)
-        lattice = core.lay_lattice(pattern, sampler, plane, start, low, high, progress)
-        if lattice is None:
-            return None, None
-    if covering and lattice:
-        return core.cover_lattice(pattern, lattice, low, high), lattice
-    if covering:
-        return core.cover(pattern, low, high), None
-    stands = core.patch_block(pattern, given.patches_x, given.patches_y)
-    return stands, lattice and lattice.counted_from(stands.anchor, pattern)
+        return divide_on_surface(given, pattern, plane, sampler, low, high, progress)
+    if given.patches_x or given.patches_y:
+        return core.patch_block(pattern, given.patches_x, given.patches_y), None
+    return core.cover(pattern, low, high), None
 
 
 def pacing(given, free, dimples, rule, machine):

@@ -87,14 +87,25 @@ def divide(given, plane, sampler, low, high, progress):
         if covering:
             return core.cover(pattern, low, high), None
         return core.patch_block(pattern, given.patches_x, given.patches_y), None
+    return divide_on_surface(given, pattern, plane, sampler, low, high, progress)
+
+
+def divide_on_surface(given, pattern, plane, sampler, low, high, progress):
+    """As divide(), on a lattice laid on the surface."""
     start = lattice_start(given, sampler, low, high)
+    block = None
+    if given.patches_x or given.patches_y:
+        block = core.patch_block(pattern, given.patches_x, given.patches_y)
+        outlines = np.concatenate(block.outlines())  # flat: on slopes it takes less of the plane
+        slack = 2.0 * pattern.spacing
+        low = np.maximum(low, start + outlines.min(axis=0) - slack)
+        high = np.minimum(high, start + outlines.max(axis=0) + slack)
     lattice = core.lay_lattice(pattern, sampler, plane, start, low, high, progress)
     if lattice is None:
         return None
-    if covering:
+    if block is None:
         return core.cover_lattice(pattern, lattice, low, high), lattice
-    division = core.patch_block(pattern, given.patches_x, given.patches_y)
-    return division, lattice.counted_from(division.anchor, pattern)
+    return block, lattice.counted_from(block.anchor, pattern)
 
 
 def lattice_start(given, sampler, low, high):
