@@ -193,6 +193,32 @@ def _keep_off_tip(placed):
     core.mark_tool_tip(dimples, VERTICAL, least)
 
 
+# What helps if nothing is left to mill, by the reason that most dimples were left out for.
+_REMEDIES = {
+    "off the face": "choose other faces, or move the texture's origin",
+    "too steep": "raise SteepestSlope, or project from another Direction",
+    "tool tip": "incline the part, or lower MinimumTilt",
+    "undercut": "project from another Direction",
+    "near an edge": "lower Margin",
+    "sliver": "lower MinimumDimples, or choose smaller patches",
+    "masked": "change the mask",
+    "no facet": "project from another Direction, or choose smaller patches",
+    "off the net": "choose the projected mapping, or move the texture's origin",
+}
+
+
+def _require_some(counts):
+    if counts["cut"]:
+        return
+    reasons = sorted((n, name) for name, n in counts.items() if n)[::-1]
+    raise InputError(
+        "Dimples",
+        "0",
+        "every lattice point was left out (%s): %s."
+        % (", ".join("%s: %d" % (name, n) for n, name in reasons), _REMEDIES[reasons[0][1]]),
+    )
+
+
 def plan_texture(given, progress=None):
     """PlannedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
 
@@ -201,6 +227,8 @@ def plan_texture(given, progress=None):
     if placed is None:
         return None
     given, dimples = placed.input, placed.dimples
+    counts = dict(dimples.counts())
+    _require_some(counts)
     machine = machines.load(given.machine) if given.machine else None
     if placed.free is not None:
         rule = core.PhaseRule(False, 0.0, 0.0)
@@ -217,5 +245,5 @@ def plan_texture(given, progress=None):
         rule=rule,
         pacing=pacing,
         machine=machine,
-        counts=dict(dimples.counts()),
+        counts=counts,
     )

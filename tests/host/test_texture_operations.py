@@ -1,4 +1,4 @@
-"""What the texture operations offer beyond the paper's experiment: lattices on the surface, sizes, masks,
+"""What the texture operations offer beyond the paper's experiment: lattices on the surface, sizes,
 fitted direction, the advisor; old documents and setup sheets.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
@@ -7,54 +7,18 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 import pathlib
 import sys
-import tempfile
 import unittest
 
 import _patchmill as core
-import FreeCAD
 import numpy as np
 import Part
 import patchmill
-from patchmill import host, texture_mask
 from patchmill.texture_properties import PROPERTIES, RESULTS
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from parts import V, WithDocuments, job_on, tilted_box  # noqa: E402
 from recipe import small_job  # noqa: E402
 
-V = FreeCAD.Vector
-
-
-def job_on(shape, face, kind="CurvedTexture", diameter=2.0):
-    """(document, operation) with a texture on one face of a shape."""
-    document = FreeCAD.newDocument("texture")
-    part = document.addObject("Part::Feature", "Part")
-    part.Shape = shape
-    document.recompute()
-    job = host.create_job("Job", [part])
-    host.add_ball_end_controller(job, diameter, 2, 600.0, 1000.0)
-    operation = getattr(patchmill, kind).Create("Texture", parentJob=job)
-    operation.Base = [(job.Model.Group[0], [face])]
-    operation.PatchSide = 6
-    return document, operation
-
-
-def tilted_box(angle=30.0):
-    """A box of 20 x 16 mm whose top, the highest face, is inclined about Y."""
-    box = Part.makeBox(20, 16, 5, V(-10, -8, -5))
-    box.rotate(V(0, 0, 0), V(0, 1, 0), angle)
-    top = max(range(6), key=lambda k: box.Faces[k].normalAt(0, 0).z)
-    return box, "Face%d" % (top + 1)
-
-
-class WithDocuments(unittest.TestCase):
-    def tearDown(self):
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
-
-    def assert_refused(self, operation, name):
-        with self.assertRaises(patchmill.InputError) as caught:
-            patchmill.recompute(operation)
-        self.assertEqual(caught.exception.property, name)
 
 
 class OnTheSurface(WithDocuments):
@@ -166,85 +130,15 @@ class Sizes(WithDocuments):
         self.assertEqual(op.RubbingDimples, 0)
 
 
-class Masks(WithDocuments):
-    def setUp(self):
-        box, face = tilted_box(10.0)
-        self.document, self.operation = job_on(box, face)
-        self.operation.TextureKind, self.operation.Depth = "Isolated", 0.01
-
-    def picture(self, pixels):
-        from matplotlib import image
-
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        name = str(pathlib.Path(folder.name) / "mask.png")
-        image.imsave(name, pixels, cmap="gray", vmin=0.0, vmax=1.0)
-        return name
-
-    def cut_places(self):
-        plan = patchmill.recompute(self.operation)
-        self.assertEqual(sum(plan.counts.values()), len(plan.dimples))
-        return plan.places()[plan.dimples.states == 0], plan
-
-    def test_a_picture_leaves_out(self):
-        pixels = np.ones((20, 20))
-        pixels[:10, :10] = 0.0  # the upper left quarter
-        self.operation.MaskUse, self.operation.MaskImage = "Leave out", self.picture(pixels)
-        self.operation.MaskWidth = 10.0
-        places, plan = self.cut_places()
-        self.assertFalse(((places[:, 0] < -0.3) & (places[:, 1] > 0.3)).any())
-        for x, y in ((1, 1), (1, -1), (-1, -1)):
-            self.assertGreater(((x * places[:, 0] > 0) & (y * places[:, 1] > 0)).sum(), 80)
-        self.assertLess(np.abs(places).max(), 5.0)
-        self.assertGreater(plan.counts["masked"], 0)
-        self.operation.MaskInvert = True
-        self.assertTrue((self.cut_places()[0] @ [-1, 1] > 0).all())
-
-    def test_density_and_depth(self):
-        self.operation.MaskImage = self.picture(np.full((8, 8), 0.5))
-        self.operation.MaskUse, self.operation.MaskWidth = "Density", 12.0
-        places, plan = self.cut_places()
-        inside = np.abs(plan.places()).max(axis=1) < 6.0
-        self.assertAlmostEqual(len(places) / inside.sum(), 0.5, delta=0.03)
-        self.operation.MaskUse, self.operation.DepthAtWhite = "Depth", 0.02
-        self.assertAlmostEqual(self.cut_places()[1].dimples.depths.max(), 0.01, 4)
-        self.operation.DepthAtWhite = 0.1
-        self.assert_refused(self.operation, "Spacing")
-
-    def test_inside_of_curves_with_a_hole(self):
-        ring = self.document.addObject("Part::Feature", "Ring")
-        ring.Shape = Part.makeCompound([Part.Wire(Part.makeCircle(r)) for r in (6.0, 3.0)])
-        self.operation.MaskUse, self.operation.MaskCurves = "Leave out", [ring]
-        self.operation.AutoOrigin = False
-        places, plan = self.cut_places()
-        distance = np.linalg.norm(places, axis=1)
-        self.assertGreater(len(places), 200)
-        self.assertTrue((distance > 2.99).all() and (distance < 6.01).all())
-        self.operation.MaskInvert = True
-        distance = np.linalg.norm(self.cut_places()[0], axis=1)
-        self.assertTrue(((distance < 3.01) | (distance > 5.99)).all())
-
-    def test_bad_masks_are_named(self):
-        self.operation.MaskUse = "Leave out"
-        self.assert_refused(self.operation, "MaskUse")
-        self.operation.MaskImage = "/nowhere/at-all.png"
-        self.assert_refused(self.operation, "MaskImage")
-        self.operation.MaskImage = __file__
-        self.assert_refused(self.operation, "MaskImage")
-        self.operation.MaskImage = ""
-        line = self.document.addObject("Part::Feature", "Line")
-        line.Shape = Part.makePolygon([V(0, 0, 0), V(1, 0, 0), V(1, 1, 0)])
-        self.operation.MaskCurves = [line]
-        self.assert_refused(self.operation, "MaskCurves")
-
-    def test_transparent_pixels_are_white(self):
-        pixels = np.zeros((2, 2, 4))
-        pixels[0, 0, 3] = 1.0  # one opaque black pixel
-        grey = texture_mask.read_grey(self.picture(pixels))
-        self.assertTrue((np.round(grey, 6) == [[0, 1], [1, 1]]).all())
-
-
 class TheDirection(WithDocuments):
+    def test_if_nothing_can_be_cut_the_reason_is_named(self):
+        document, operation = job_on(*tilted_box(0.0))
+        with self.assertRaises(patchmill.InputError) as caught:
+            patchmill.recompute(operation)
+        self.assertEqual(caught.exception.property, "Dimples")
+        self.assertIn("tool tip", caught.exception.remedy)
+        self.assertIn("MinimumTilt", caught.exception.remedy)
+
     def test_is_fitted_to_the_faces(self):
         box, face = tilted_box(25.0)
         document, operation = job_on(box, face)
