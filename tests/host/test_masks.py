@@ -17,7 +17,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from parts import V, WithDocuments, job_on, tilted_box  # noqa: E402
 
 
-
 class Masks(WithDocuments):
     def setUp(self):
         box, face = tilted_box(10.0)

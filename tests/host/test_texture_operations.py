@@ -20,7 +20,6 @@ from parts import V, WithDocuments, job_on, tilted_box  # noqa: E402
 from recipe import small_job  # noqa: E402
 
 
-
 class OnTheSurface(WithDocuments):
     def test_spacing_is_kept_along_an_inclined_plane(self):
         for shape in ("Square", "Hexagon", "Triangle"):
