@@ -199,4 +199,4 @@ def post_parts(job, post_name, arguments):
 
     job.PostProcessorArgs = arguments
     post = PostProcessorFactory.get_post_processor(job, post_name)
-    return [text for _, text in post.export()]
+    return [text or "" for _, text in post.export()]  # some posts return None

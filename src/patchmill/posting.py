@@ -3,6 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import functools
 import importlib
 import math
 import os
@@ -14,7 +15,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import checks, host, strategies, tool_posture
+from patchmill import checks, host, post_probe, strategies, tool_posture
 from patchmill.texture_operation import ObjectTexture, planned
 
 
@@ -47,6 +48,7 @@ def post(job, filename, post_name=None, arguments=None):
     for op, plan in zip(textures, plans):
         _check_verdict(op, plan)
         _check_arguments(post_name, plan, shlex.split(arguments))
+    _check_post(post_name, plans)
     text = _single_text(job, post_name, arguments)
     own = own_dialect(post_name)
     posted = _read_back(text, textures, plans, own.dialect if own else "linuxcnc")
@@ -97,6 +99,31 @@ def _check_arguments(post_name, plan, arguments):
             "the post writes %d decimals: give --precision=%d or change Decimals."
             % (precision, plan.input.decimals),
         )
+
+
+def _check_post(post_name, plans):
+    """A post that would lose words which the paths need is refused before it gets them. It is tried, once in
+    a session; the program that it posts is read back all the same."""
+    if own_dialect(post_name):
+        return
+    angles = [np.degrees(p.posture.work.joints) for p in plans if p.posture is not None]
+    needs = {
+        "rotary": bool(angles),
+        "turning_far": any(np.abs(a).max() > 360.0 for a in angles),
+        "locked": any(p.input.strategy == strategies.LOCKED for p in plans),
+        "inverse": any("G93" in str(p.pacing.text) for p in plans if p.posture is not None),
+    }
+    if not any(needs.values()):
+        return
+    missing = post_probe.missing(_probed(post_name), **needs)
+    if missing:
+        remedy = "%s: use one of PatchMill's own posts." % "; ".join(missing)
+        raise InputError("PostProcessor", post_name, remedy)
+
+
+@functools.lru_cache(maxsize=None)
+def _probed(post_name):
+    return post_probe.probe(host, post_name)
 
 
 def own_dialect(post_name):

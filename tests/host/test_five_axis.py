@@ -61,7 +61,7 @@ class FiveAxis(unittest.TestCase):
         number = posted.path.dimples[ends]
         centre = posted.path.tips[ends] + plan.input.tool.radius * posted.path.axes[ends]
         wanted = plan.dimples.positions[number] + plan.input.tool.radius * plan.dimples.normals[number]
-        self.assertLess(np.abs(centre - wanted).max(), 4e-4)
+        self.assertLess(np.abs(centre - wanted).max(), 4.0 * 10.0**-plan.input.decimals)
         self.assertLess(math.degrees(posted.errors["largest"]), 1.0)
         cosine = np.einsum("ij,ij->i", posted.path.axes[ends], plan.dimples.normals[number])
         return np.degrees(np.arccos(cosine))
@@ -138,12 +138,29 @@ class FiveAxis(unittest.TestCase):
         op.ToolAxisMode, op.FixedAxis = "Fixed", FreeCAD.Vector(0, 0, -1)
         self.refused("Dimples", op)
 
-    def test_stock_post_that_changes_the_path_is_refused(self):
-        _, job, op = five_axis_job("table-table-ac")
-        job.PostProcessor = "dynapath"  # drops C
-        with self.assertRaises(patchmill.InputError):
+    def refused_by(self, job, op, post, words):
+        job.PostProcessor = post
+        with self.assertRaises(patchmill.InputError) as caught:
             self.post(job, op)
+        print(caught.exception)
+        self.assertEqual(caught.exception.property, "PostProcessor")
+        self.assertIn(words, caught.exception.remedy)
         self.assertEqual(os.listdir(self.folder.name), [])
+
+    def test_stock_posts_that_lose_words_are_refused_with_the_reason(self):
+        _, job, op = five_axis_job("table-table-ac")
+        self.refused_by(job, op, "dynapath", "does not keep C")
+        op.Strategy, op.SameFlute, op.ExtraTurns = "Spindle-locked", False, 0.0
+        self.refused_by(job, op, "linuxcnc", "does not keep K")
+
+    def test_a_stock_post_that_keeps_them_comes_out_right(self):
+        _, job, op = five_axis_job("table-table-ac", 3)
+        job.PostProcessor = "linuxcnc"
+        job.PostProcessorArgs = "--no-show-editor"
+        plan, posted, text = self.post(job, op)
+        self.check_read_back(plan, posted)
+        self.assertIn("M428", text)
+        self.assertIn("M429", text)
 
 
 if __name__ == "__main__":
