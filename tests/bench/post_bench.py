@@ -1,5 +1,5 @@
-"""Seconds that PatchMill's own posts take for 1,000,000 five-axis moves, beside FreeCAD's linuxcnc post in the
-same run (on a fifth of the moves, times five).
+"""Seconds that PatchMill's own posts take for 1,000,000 five-axis moves, beside FreeCAD's linuxcnc post in
+the same run (on a fifth of the moves, times five).
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
