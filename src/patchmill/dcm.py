@@ -74,9 +74,11 @@ def input_of(obj):
         raise InputError("Base", obj.Label, "the dressup belongs to no job.")
     feed, posture = obj.Controls != "Posture", obj.Controls != "Feed"
     operation = _operation(obj)
-    if feed and isinstance(operation.Proxy, ObjectTexture):
+    if isinstance(operation.Proxy, ObjectTexture):
         raise InputError(
-            "Base", operation.Label, "a texture's feed is its timing: take only its axis from the voxels."
+            "Base",
+            operation.Label,
+            "a texture's feed is its timing and its axis sets the phase: choose another operation.",
         )
     stock, part = removal_model.job_shapes(job)
     limits = _limits(obj)

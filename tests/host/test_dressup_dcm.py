@@ -330,7 +330,10 @@ class BadInput(unittest.TestCase):
         document, job, texture = small_job()
         patchmill.recompute(texture)
         self.words = [c.toGCode() for c in self.operation.Path.Commands]
-        self.refused("Base", dress(texture))
+        dressup = dress(texture)
+        self.refused("Base", dressup)
+        dressup.Controls, dressup.Machine = "Posture", "table-table-ac"
+        self.refused("Base", dressup)  # its axis sets the phase, too
 
 
 if __name__ == "__main__":
