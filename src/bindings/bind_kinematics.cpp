@@ -114,14 +114,15 @@ void bind_kinematics(py::module_& m) {
           "At the start and at the end of each move, (n + 1, 2).");
   m.def(
       "plan_path_joints",
-      [](const Kinematics& machine, const ToolPath& path, double pole_tolerance) {
+      [](const Kinematics& machine, const ToolPath& path, double pole_tolerance, int decimals) {
         JointPlan plan = plan_joints(machine, path, pole_tolerance);
         if (!plan.complete)
           throw InputError("ToolAxis", "move " + std::to_string(plan.failed), plan.reason);
-        return PosturePath{path, std::move(plan.joints)};
+        return on_degrees(PosturePath{path, std::move(plan.joints)}, machine, Decimals(decimals));
       },
       py::arg("machine"), py::arg("path"), py::arg("pole_tolerance") = 1e-9,
-      py::call_guard<py::gil_scoped_release>(), "Any ToolPath with angles. Raises InputError.");
+      py::arg("decimals") = 4, py::call_guard<py::gil_scoped_release>(),
+      "Any ToolPath with angles, on decimals of a degree. Raises InputError naming ToolAxis.");
   m.def(
       "programmed",
       [](const PosturePath& posture, const Kinematics& machine, const ProgramForm& form,

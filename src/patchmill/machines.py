@@ -132,7 +132,12 @@ def kinematics(data, key):
 
 def store_start_phase(key, degrees):
     """Writes the start phase [degrees] into the user's own copy of the machine file; returns its path."""
-    data = dict(load(key).data, start_phase_degrees=float(degrees))
+    return save(key, dict(load(key).data, start_phase_degrees=float(degrees)))
+
+
+def save(key, data):
+    """Writes a machine file into the user's folder, if it is sound; returns its path. Raises InputError
+    naming the place in it that is wrong, and then leaves the old file as it is."""
     checked(json.dumps(data), key)
     folder = user_folder()
     os.makedirs(folder, exist_ok=True)

@@ -64,6 +64,19 @@ def axes(given, dimples):
     return found
 
 
+def program_form(machine, name, gauge_length, chord_clear):
+    """(_patchmill.ProgramForm, programmed point) for one of FORMS on a machine with rotary axes."""
+    controller = machine.controller
+    tcp = {"With TCP": True, "Without TCP": False}.get(name, controller["tcp"])
+    if tcp and not controller["tcp"]:
+        raise InputError("ProgramForm", name, "the machine %s has no TCP." % machine.key)
+    heads = [a for a in machine.data["rotary_axes"] if a["side"] == "head"]
+    if heads and not tcp and not gauge_length > 0.0:
+        remedy = "without TCP a tilting head needs the length from its gauge point to the tip."
+        raise InputError("GaugeLength", "0 mm", remedy)
+    return core.ProgramForm(tcp, controller["reference"], 1e-3, chord_clear), controller["reference"]
+
+
 def plan(given, dimples, machine):
     """Posture of dimples on `machine` (a machines.Machine), without a path yet. Raises InputError naming
     Machine, ToolAxis, ProgramForm or GaugeLength."""
@@ -73,16 +86,7 @@ def plan(given, dimples, machine):
             machine.key if machine else "''",
             "tool axes other than Z need a machine file with rotary axes.",
         )
-    controller = machine.controller
-    tcp = {"With TCP": True, "Without TCP": False}.get(given.program_form, controller["tcp"])
-    if tcp and not controller["tcp"]:
-        raise InputError("ProgramForm", given.program_form, "the machine %s has no TCP." % machine.key)
-    heads = [a for a in machine.data["rotary_axes"] if a["side"] == "head"]
-    if heads and not tcp and not given.gauge_length > 0.0:
-        remedy = "without TCP a tilting head needs the length from its gauge point to the tip."
-        raise InputError("GaugeLength", "0 mm", remedy)
-    reference = controller["reference"]
-    form = core.ProgramForm(tcp, reference, 1e-3, 0.5 * given.lift)
+    form, reference = program_form(machine, given.program_form, given.gauge_length, 0.5 * given.lift)
     kinematics = core.with_tool(machine.kinematics, given.gauge_length, form, given.tool)
     postures = core.plan_postures(kinematics, dimples, axes(given, dimples), given.decimals)
     turning = []
@@ -95,7 +99,12 @@ def finish(posture, path, given, machine):
     """Fills in the posture's paths from `path`, which a strategy planned for the ball centre, and returns
     the text for Path.Path(). Raises InputError naming the axis that is too slow."""
     posture.work = core.with_postures(path, posture.postures, posture.kinematics, given.decimals)
-    posture.told = core.programmed(posture.work, posture.kinematics, posture.form, given.decimals)
+    return _told(posture, machine, given.decimals)
+
+
+def _told(posture, machine, decimals):
+    """Fills in what the controller is told of posture.work; returns the text."""
+    posture.told = core.programmed(posture.work, posture.kinematics, posture.form, decimals)
     posture.load = load = core.axis_load(posture.kinematics, posture.work)
     if load["rate"] > 1.0:
         raise InputError(
@@ -114,10 +123,21 @@ def finish(posture, path, given, machine):
         posture.told,
         machine.rotary_letters,
         machine.model,
-        given.decimals,
+        decimals,
         *_tcp_words(posture, machine),
         as_set="smoothing_on" in machine.controller,
     )
+
+
+def of_path(path, machine, decimals, gauge_length=0.0, form_name=FORMS[0], pole_tolerance=1e-6):
+    """(Posture, text for Path.Path()) of any ToolPath whose tool axes are set, such as a copy-milling path
+    with its posture field: angles over the whole path, unwinding in rapids only. Raises InputError naming
+    ToolAxis, Machine, ProgramForm or GaugeLength."""
+    form, reference = program_form(machine, form_name, gauge_length, 0.0)
+    kinematics = core.with_tool(machine.kinematics, gauge_length, form, path.tool)
+    posture = Posture(kinematics, form, reference, None, [])
+    posture.work = core.plan_path_joints(kinematics, path, pole_tolerance, decimals)
+    return posture, _told(posture, machine, decimals)
 
 
 def _tcp_words(posture, machine):

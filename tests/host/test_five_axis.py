@@ -13,8 +13,10 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import FreeCAD  # noqa: E402
+import _patchmill as core  # noqa: E402
 import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
+from patchmill import machines, post_dialect, tool_posture  # noqa: E402
 from recipe import small_job  # noqa: E402
 
 POSTS = {
@@ -119,6 +121,24 @@ class FiveAxis(unittest.TestCase):
         op.Proxy.posture_field = lambda places, normals: normals + (0.2, 0.1, 0.0)
         plan, posted, _ = self.post(job, op)
         self.check_read_back(plan, posted)
+
+    def test_any_path_with_tool_axes(self):
+        """What copy milling with a posture field needs: a path with axes, and a machine."""
+        _, _, op = five_axis_job("table-table-bc")
+        op.ToolAxisMode = "Fixed"
+        op.FixedAxis = FreeCAD.Vector(0.2, 0.1, 1.0)
+        path = patchmill.recompute(op).path
+        machine = machines.load("nutating-table-bc-45")
+        posture, text = tool_posture.of_path(path, machine, 4)
+        self.assertIn("G43.4", str(text))
+        post = post_dialect.Dialect("x", "heidenhain", "x", 4)
+        program = core.write_program(["M6 T1\nM3 S1000\n" + str(text)], post.dialect, precision=4)
+        section = core.read_gcode(program, path.tool, "heidenhain", rotary=True)[-1]
+        complete, _, work = tool_posture.read_back(section, posture, machine, 0.5e-4)
+        self.assertTrue(complete)
+        timed, planned = work.kinds > 0, path.kinds > 0
+        self.assertLess(np.abs(work.tips[timed] - path.tips[planned]).max(), 3e-4)
+        self.assertLess(np.abs(work.axes[timed] - path.axes[planned]).max(), 3e-6)
 
     def refused(self, named, op):
         with self.assertRaises(patchmill.InputError) as caught:

@@ -83,6 +83,20 @@ PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
   return out;
 }
 
+PosturePath on_degrees(PosturePath posture, const Kinematics& machine, const Decimals& degrees) {
+  for (Joints& q : posture.joints)
+    for (double& angle : q)
+      angle = Angle::degrees(degrees.round(Angle::radians(angle).degrees())).radians();
+  const double radius = posture.path.tool.radius;
+  const auto turned = [&](const ToolPose& pose, const Joints& q) {
+    return pose_of_ball(ball_centre(pose, radius), tool_axis(machine, q), radius);
+  };
+  posture.path.start = turned(posture.path.start, posture.joints.at(0));
+  for (std::size_t i = 0; i < posture.path.moves.size(); ++i)
+    posture.path.moves[i].end = turned(posture.path.moves[i].end, posture.joints.at(i + 1));
+  return posture;
+}
+
 PosturePath on_decimals(PosturePath programmed, const Decimals& decimals) {
   programmed.path.start.tip = decimals.round(programmed.path.start.tip);
   for (Move& move : programmed.path.moves) move.end.tip = decimals.round(move.end.tip);

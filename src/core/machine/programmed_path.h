@@ -35,6 +35,9 @@ int split_parts(const Kinematics& machine, const ProgramForm& form, MoveKind kin
 PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
                        const ProgramForm& form);
 
+/// The angles put on decimals of a degree, as they are told; the ball centre keeps its way.
+PosturePath on_degrees(PosturePath posture, const Kinematics& machine, const Decimals& degrees);
+
 /// The programmed points put on the program's decimals, so that lengths are what the machine is told.
 PosturePath on_decimals(PosturePath programmed, const Decimals& decimals);
 

@@ -132,14 +132,7 @@ PosturePath with_postures(const ToolPath& vertical, const Postures& postures,
     any = true;
   }
   for (std::size_t m = last + 1; m < out.joints.size(); ++m) out.joints[m] = out.joints[last];
-  const double radius = vertical.tool.radius;
-  const auto turned = [&](const ToolPose& pose, const Joints& q) {
-    return pose_of_ball(ball_centre(pose, radius), tool_axis(machine, q), radius);
-  };
-  out.path.start = turned(vertical.start, out.joints[0]);
-  for (std::size_t i = 0; i < vertical.moves.size(); ++i)
-    out.path.moves[i].end = turned(vertical.moves[i].end, out.joints[i + 1]);
-  return out;
+  return on_degrees(std::move(out), machine, degrees);
 }
 
 }  // namespace patchmill
