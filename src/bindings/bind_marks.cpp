@@ -3,6 +3,7 @@
 #include "bindings/bindings.h"
 #include "brep/face_sampler.h"
 #include "core/geometry/error.h"
+#include "core/machine/kinematics.h"
 #include "core/marks/alignment.h"
 #include "core/marks/machine_motion.h"
 #include "core/marks/texture_marks.h"
@@ -27,8 +28,10 @@ py::array_t<double> pairs_of(const Items& items, Get get) {
 }
 
 ToolMotion motion_of_path(const ToolPath& path, const Dimples& dimples, const PhaseRule& rule,
-                          std::optional<double> start_phase) {
+                          std::optional<double> start_phase, const std::optional<Rows3>& housing) {
   MotionOptions options;
+  if (housing)
+    for (Eigen::Index i = 0; i < housing->rows(); ++i) options.housing_x.push_back(housing->row(i));
   if (start_phase)
     options.start_phase = Angle::radians(*start_phase);
   else
@@ -164,9 +167,19 @@ void bind_motion(py::module_& m) {
       .def_readonly("standing_moves", &ToolMotion::standing_moves);
   m.def(
       "motion_of_path", &motion_of_path, py::arg("path"), py::arg("dimples"), py::arg("rule"),
-      py::arg("start_phase") = py::none(),
+      py::arg("start_phase") = py::none(), py::arg("housing") = py::none(),
       "The motion of a path; `start_phase` [rad] of flute 0, or None: right at the first dimple of "
-      "every run.");
+      "every run. `housing`: see housing_x; None for an upright tool.");
+  m.def(
+      "housing_x",
+      [](const Kinematics& machine, const Rows2& joints) {
+        std::vector<Vec3> x;
+        for (Eigen::Index i = 0; i < joints.rows(); ++i)
+          x.push_back(housing_to_work(machine, {joints(i, 0), joints(i, 1)}) * Vec3::UnitX());
+        return rows_of(x, [](const Vec3& v) { return v; });
+      },
+      py::arg("machine"), py::arg("joints"),
+      "Azimuth 0 of the spindle's housing in the work frame, (n, 3), for (n, 2) angles [rad].");
   m.def("motion_of_samples", &motion_of_samples, py::arg("time"), py::arg("tips"),
         py::arg("spindle_angle"), py::arg("spindle"), py::arg("radius"),
         py::arg("axes") = py::none(),

@@ -53,7 +53,11 @@ def _typical(simulated):
     """Place of the dimple in the window whose tilt is the median one, and that tilt in degrees."""
     plan = simulated.plan
     number = simulated.found["dimple"]
-    tilts = np.degrees(core.tilts(plan.dimples, (0.0, 0.0, 1.0)))[number]
+    if plan.posture is None:
+        tilts = np.degrees(core.tilts(plan.dimples, (0.0, 0.0, 1.0)))[number]
+    else:
+        cosine = np.einsum("ij,ij->i", plan.posture.postures.axes, plan.dimples.normals)[number]
+        tilts = np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0)))
     middle = int(np.argsort(tilts)[len(tilts) // 2])
     return plan.places()[number[middle]], float(tilts[middle])
 

@@ -20,7 +20,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import machines
+from patchmill import machines, tool_posture
 from patchmill.texture_plan import PlannedTexture
 
 SLACK = 1.25  # of the highest peak that is expected: so high is the stock over the base
@@ -246,6 +246,8 @@ def _plan_of(texture):
 def _motion(plan, path, program, dialect, machine, samples):
     """(ToolMotion, a phrase that says where it comes from)."""
     if samples is not None:
+        if plan.posture is not None:
+            raise InputError("Samples", "rotary axes", "recordings are cut with an upright tool only.")
         if machine is not None:
             raise InputError("Machine", machine, "a recording has its machine in it: leave it out.")
         return _recorded(plan, samples), "recorded on a machine"
@@ -255,16 +257,33 @@ def _motion(plan, path, program, dialect, machine, samples):
         source = "the posted text, read back"
     else:
         path, source = plan.path, "the plan"
+    housing = _housing(plan, path)
     if machine is None:
-        return core.motion_of_path(path, plan.dimples, plan.rule), source
+        return core.motion_of_path(path, plan.dimples, plan.rule, housing=housing), source
     if not isinstance(machine, machines.Machine):
         machine = machines.load(machine)
     known, reason, moved = core.path_on_machine(path, machine.model)
     if not known:
         raise InputError("Machine", machine.key, "its motion is not known: %s." % reason)
     start = core.best_start_phase(moved, plan.dimples, plan.rule)
-    motion = core.motion_of_path(moved, plan.dimples, plan.rule, start)
+    motion = core.motion_of_path(moved, plan.dimples, plan.rule, start, housing)
     return motion, "%s, as %s would run it" % (source, machine.data["name"])
+
+
+def _housing(plan, path):
+    """Azimuth 0 of the spindle's housing in the work frame at a path's start and at each move's end,
+    (n + 1, 3), as the planned angles of the rotary axes make it; None for an upright tool. The timed moves of
+    `path` are those of the plan."""
+    if plan.posture is None:
+        return None
+    planned = core.housing_x(plan.posture.kinematics, plan.posture.work.joints)
+    if len(path) == len(plan.path):
+        return planned
+    timed = path.kinds > 0
+    number = np.concatenate([[0], np.flatnonzero(plan.path.kinds > 0) + 1])
+    if timed.sum() + 1 != len(number):
+        raise InputError("Path", "%d timed moves" % timed.sum(), "give a path of this texture's plan.")
+    return planned[number[np.concatenate([[0], np.cumsum(timed)])]]
 
 
 def _recorded(plan, samples):
@@ -287,10 +306,15 @@ def read_program(plan, filename, dialect):
     except (OSError, UnicodeDecodeError) as error:
         raise InputError("Program", filename, "it could not be read: %s." % error) from error
     best, found = None, -1
-    for section in core.read_gcode(text, plan.input.tool, dialect):
-        match = core.match_plan(section.path, plan.path, 0.5 * 10.0**-plan.input.decimals)
+    half_unit = 0.5 * 10.0**-plan.input.decimals
+    for section in core.read_gcode(text, plan.input.tool, dialect, rotary=plan.posture is not None):
+        path = section.path
+        if plan.posture is None:
+            match = core.match_plan(path, plan.path, half_unit)
+        else:
+            _, match, path = tool_posture.read_back(section, plan.posture, plan.machine, half_unit)
         if match.found > found:
-            best, found = section.path, match.found
+            best, found = path, match.found
     if found < 1:
         raise InputError("Program", filename, "none of its moves end on the texture's dimples.")
     return best

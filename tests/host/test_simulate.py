@@ -17,6 +17,7 @@ import patchmill
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from recipe import ROOT, small_job  # noqa: E402
+from test_five_axis import five_axis_job  # noqa: E402
 
 
 def tilted_job(name):
@@ -155,6 +156,30 @@ class Matsuda(unittest.TestCase):
                 self.assertEqual(result.alignment["state"], array, result.alignment)
                 self.assertGreater(result.alignment["rows"], 4)
                 FreeCAD.closeDocument(document.Name)
+
+
+class RotaryAxes(unittest.TestCase):
+    def test_machines_with_other_axes_cut_the_same_texture(self):
+        """The tool inclined by 12 degrees on table, head and nutating axes: C turns the contact points under
+        the spindle in other ways, and the phase makes up for it."""
+        heights = []
+        for machine in ("table-table-ac", "head-head-ca", "nutating-head-bc-45"):
+            with self.subTest(machine):
+                document, job, op = five_axis_job(machine)
+                op.PostGouging = False
+                patchmill.recompute(op)
+                with tempfile.TemporaryDirectory() as folder:
+                    posted = patchmill.post(job, os.path.join(folder, "x.nc"))[0]
+                self.assertEqual(posted.check.outcome, "clear")
+                result = patchmill.simulate(op, path=posted.path)
+                data = result.data()
+                self.assertEqual((data["missing"], data["extra"]), (0, 0))
+                self.assertEqual(data["alignment"], "square")
+                self.assertGreater(data["quality"], 0.95)
+                heights.append(result.heights)
+                FreeCAD.closeDocument(document.Name)
+        for other in heights[1:]:
+            self.assertLess(np.nanquantile(np.abs(heights[0] - other), 0.99), 1e-3)
 
 
 class Surfaces(unittest.TestCase):
