@@ -45,12 +45,12 @@ void bind_machine(py::module_& m) {
       .def("__str__", &PathText::whole);
   m.def(
       "freecad_text",
-      [](const ToolPath& path, double feed, int decimals) {
-        return PathText(freecad_text(path, feed, Decimals(decimals)));
+      [](const ToolPath& path, double feed, int decimals, bool exact_stop) {
+        return PathText((exact_stop ? "G61\n" : "") + freecad_text(path, feed, Decimals(decimals)));
       },
-      py::arg("path"), py::arg("feed"), py::arg("decimals"),
+      py::arg("path"), py::arg("feed"), py::arg("decimals"), py::arg("exact_stop") = false,
       py::call_guard<py::gil_scoped_release>(),
-      "A constant-feed path as text for Path.Path(text); `feed` [mm/s].");
+      "A constant-feed path as text for Path.Path(text); `feed` [mm/s]. `exact_stop`: G61 first.");
   py::class_<ProgramSection>(m, "ProgramSection", "One tool, spindle speed and sense of a program.")
       .def_readonly("tool_number", &ProgramSection::tool_number)
       .def_readonly("path", &ProgramSection::path)

@@ -94,5 +94,7 @@ def _path(given, dimples, rule, machine, spindle, turning):
 
 def _text(given, path, feed, machine):
     if given.strategy in (CONSTANT, FITTED):
-        return core.freecad_text(path, feed, given.decimals)
+        # the motion model of a machine without a path tolerance counts on a stop at every vertex
+        stops = machine is not None and machine.data["path_tolerance_mm"] == 0.0
+        return core.freecad_text(path, feed, given.decimals, exact_stop=stops)
     return core.freecad_paced_text(path, machine.model, given.decimals)

@@ -54,8 +54,7 @@ def make_operation(name, strategy, same_flute, extra_turns):
     job, op = run.make_job(part, 4)
     job.PostProcessor = list(job.getEnumerationsOfProperty("PostProcessor")) + ["patchmill_linuxcnc"]
     job.PostProcessor = "patchmill_linuxcnc"
-    # exact stop, where a program does not say otherwise: LinuxCNC would round corners by tenths
-    job.PostProcessorArgs = '--precision=4 --preamble="G17 G54 G40 G49 G61 G80 G90 G94"'
+    job.PostProcessorArgs = "--precision=4"
     op.PatchSide, op.PatchesX, op.PatchesY = SIDE, 1, 1
     op.AutoOrigin = False
     middle = CORNER + 0.25 * (SIDE - 1)

@@ -226,6 +226,28 @@ class MachineFiles(WithMachines):
         self.assert_refused("/colour", machines.checked, json.dumps(dict(good, colour="red")), "x")
 
 
+class ExactStop(unittest.TestCase):
+    def test_constant_feed_says_so_where_the_model_counts_on_stops(self):
+        """A controller that rounds corners would cut the zigzag's vertices off."""
+        for strategy, machine, stops in (
+            ("Constant feed", "", False),
+            ("Constant feed", "linuxcnc-mill", True),
+            ("Constant feed, fitted stops", "linuxcnc-mill", True),
+        ):
+            with self.subTest(strategy=strategy, machine=machine):
+                document, job, operation = locked_job(machine, strategy)
+                operation.SameFlute, operation.ExtraTurns = True, 5.0
+                operation.PostUnheld = True
+                patchmill.recompute(operation)
+                with tempfile.TemporaryDirectory() as folder:
+                    name = os.path.join(folder, "x.ngc")
+                    patchmill.post(job, name)
+                    lines = pathlib.Path(name).read_text().split()
+                first_cut = lines.index("G1")
+                self.assertEqual("G61" in lines[:first_cut], stops)
+                FreeCAD.closeDocument(document.Name)
+
+
 if __name__ == "__main__":
     result = unittest.main(exit=False, verbosity=2).result
     sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
