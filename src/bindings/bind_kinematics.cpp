@@ -6,6 +6,8 @@
 #include "core/geometry/error.h"
 #include "core/machine/programmed_path.h"
 
+#include <optional>
+
 namespace patchmill {
 namespace {
 
@@ -114,15 +116,18 @@ void bind_kinematics(py::module_& m) {
           "At the start and at the end of each move, (n + 1, 2).");
   m.def(
       "plan_path_joints",
-      [](const Kinematics& machine, const ToolPath& path, double pole_tolerance, int decimals) {
+      [](const Kinematics& machine, const ToolPath& path, double pole_tolerance,
+         std::optional<int> decimals) {
         JointPlan plan = plan_joints(machine, path, pole_tolerance);
         if (!plan.complete)
           throw InputError("ToolAxis", "move " + std::to_string(plan.failed), plan.reason);
-        return on_degrees(PosturePath{path, std::move(plan.joints)}, machine, Decimals(decimals));
+        PosturePath planned{path, std::move(plan.joints)};
+        return decimals ? on_degrees(std::move(planned), machine, Decimals(*decimals)) : planned;
       },
       py::arg("machine"), py::arg("path"), py::arg("pole_tolerance") = 1e-9,
-      py::arg("decimals") = 4, py::call_guard<py::gil_scoped_release>(),
-      "Any ToolPath with angles, on decimals of a degree. Raises InputError naming ToolAxis.");
+      py::arg("decimals") = py::none(), py::call_guard<py::gil_scoped_release>(),
+      "Any ToolPath with angles, put on decimals of a degree if given. Raises InputError naming "
+      "ToolAxis.");
   m.def(
       "programmed",
       [](const PosturePath& posture, const Kinematics& machine, const ProgramForm& form,
