@@ -9,7 +9,7 @@ from PySide import QtGui
 
 from patchmill_gui.computing import Computing, ComputingBox, translate
 from patchmill_gui.path_view import PathScene, show_native_lines
-from patchmill_gui.property_form import PropertyForm
+from patchmill_gui.property_form import PropertyForm, let_shrink
 from patchmill_gui.resources import native
 from patchmill_gui.texture_summary import duration, grouped
 
@@ -23,6 +23,8 @@ class CopyPage(native("operation").TaskPanelPage):
         layout.setContentsMargins(2, 2, 2, 2)
         row = QtGui.QFormLayout()
         form.toolController, form.coolantController = QtGui.QComboBox(), QtGui.QComboBox()
+        let_shrink(form.toolController)
+        let_shrink(form.coolantController)
         row.addRow(translate("Tool controller"), form.toolController)
         row.addRow(translate("Coolant"), form.coolantController)
         layout.addLayout(row)

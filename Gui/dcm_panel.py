@@ -29,7 +29,7 @@ class DcmPanel(Computing):
         self.scene = obj.ViewObject.Proxy.scene
         self.legend = None
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(translate("DCM: feed and posture of {}").format(obj.Base.Label))
+        self.form.setWindowTitle(translate("DCM modifier"))
         self.form.setWindowIcon(QtGui.QIcon(icon("PatchMill_DressupDcm")))
         layout = QtGui.QVBoxLayout(self.form)
         self.form_rows = PropertyForm(dressup_dcm.PROPERTIES, obj, closed=("Limits",))

@@ -3,7 +3,8 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from patchmill import strategies
+from patchmill import strategies, tool_posture
+from patchmill.texture_properties import AXIS_PROPERTIES
 
 MASK = {
     "MaskImage",
@@ -33,9 +34,33 @@ def _mask(obj):
     return idle
 
 
+def _axis(obj):
+    fixed, normal, minimum, field = tool_posture.MODES
+    used = {
+        fixed: {"FixedAxis"},
+        normal: {"Lead", "Tilt", "LeadTowards", "AxisSmoothing"},
+        minimum: {"FixedAxis", "MinimumLead", "LeadTowards", "AxisSmoothing"},
+        field: {"AxisSmoothing", "MinimumLead"},
+    }[obj.ToolAxisMode]
+    always = {"ToolAxisMode", "WidestTilt", "RowTolerance", "ProgramForm", "GaugeLength"}
+    if obj.ToolAxisMode == fixed:
+        always -= {"WidestTilt", "RowTolerance"}
+    if obj.Strategy != strategies.LOCKED:
+        always.discard("RowTolerance")
+    return {row[1] for row in AXIS_PROPERTIES} - used - always
+
+
+def _form(obj):
+    if not hasattr(obj, "Form"):
+        return set()
+    if obj.Form == "Free":
+        return {"Spacing", "Depth", "DimpleDiameter", "RidgeHeight", "TextureKind", "PatchSide"}
+    return {"FreeSide", "CrossFeed", "FeedPerTooth"}
+
+
 def idle_properties(obj):
     """Names of the properties of the texture operation `obj` that have no effect now."""
-    idle = _mask(obj)
+    idle = _mask(obj) | _axis(obj) | _form(obj)
     if obj.AutoOrigin:
         idle.add("Origin")
     if obj.AutoDirection:

@@ -28,13 +28,27 @@ class Legend:
         pick.style = coin.SoPickStyle.UNPICKABLE
         font = coin.SoFont()
         font.name, font.size = "sans", 14
-        for node in (pick, camera, light, font, self._bar()):
+        for node in (pick, camera, light, font, self._ground(), self._bar()):
             self.root.addChild(node)
         for i in range(LABELS):
             share = i / (LABELS - 1)
             text = "%.*f" % (digits, low + share * (high - low))
             self.root.addChild(_text(self.left + WIDTH + 0.03, LOW + share * (HIGH - LOW) - 0.012, text))
         self.root.addChild(_text(self.left, HIGH + 0.06, title))
+
+    def _ground(self):
+        """A dark sheet under the legend, so that its text is read over anything."""
+        sheet = coin.SoSeparator()
+        material, coordinates, face = coin.SoMaterial(), coin.SoCoordinate3(), coin.SoFaceSet()
+        material.diffuseColor = (0.1, 0.1, 0.13)
+        material.transparency = 0.35
+        left, right, low, high = self.left - 0.04, self.left + 0.62, LOW - 0.06, HIGH + 0.14
+        corners = [(left, low, -0.1), (right, low, -0.1), (right, high, -0.1), (left, high, -0.1)]
+        coordinates.point.setValues(0, 4, corners)
+        face.numVertices.setValue(4)
+        for node in (material, coordinates, face):
+            sheet.addChild(node)
+        return sheet
 
     def _bar(self):
         bar = coin.SoSeparator()

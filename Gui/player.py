@@ -64,7 +64,7 @@ class PlayerPanel:
         self.line = Timeline(path)
         self.operation = operation
         self.moment = 0.0
-        self.form = self._form(operation.Label)
+        self.form = self._form()
         radius = path.tool.radius
         self.tool = ToolNode(radius, path.tool.flutes, 12.0 * radius, 4.0 * radius)
         self.root = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
@@ -73,9 +73,9 @@ class PlayerPanel:
         self.timer.timeout.connect(self._frame)
         self.go_to(0.0)
 
-    def _form(self, label):
+    def _form(self):
         form = QtGui.QWidget()
-        form.setWindowTitle(translate("Play {}").format(label))
+        form.setWindowTitle(translate("Play"))
         layout = QtGui.QVBoxLayout(form)
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setRange(0, STEPS)

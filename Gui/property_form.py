@@ -45,6 +45,7 @@ class Group(QtGui.QWidget):
         self.body = QtGui.QWidget()
         self.rows = QtGui.QFormLayout(self.body)
         self.rows.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        self.rows.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
         self.rows.setContentsMargins(8, 0, 2, 4)
         self.rows.setHorizontalSpacing(4)
         self.rows.setVerticalSpacing(3)

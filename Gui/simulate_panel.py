@@ -50,7 +50,7 @@ class SimulatePanel:
 
     def _form(self):
         form = QtGui.QWidget()
-        form.setWindowTitle(translate("Simulate marks of {}").format(self.operation.Label))
+        form.setWindowTitle(translate("Simulate marks"))
         layout = QtGui.QVBoxLayout(form)
         rows = QtGui.QFormLayout()
         self.size = QtGui.QDoubleSpinBox()

@@ -15,6 +15,7 @@ from patchmill.texture_operation import prepare, property_table
 from patchmill.texture_plan import place_texture
 from PySide import QtCore, QtGui
 
+from patchmill_gui.advisor_box import AdvisorBox
 from patchmill_gui.background import Background
 from patchmill_gui.property_form import PropertyForm
 from patchmill_gui.idle_properties import idle_properties
@@ -55,8 +56,16 @@ class TexturePage(native("operation").TaskPanelPage):
         )
         for box in self.properties.groups.values():
             layout.addWidget(box)
+        self.advice = AdvisorBox(self.obj, self._advised) if hasattr(self.obj, "Form") else None
+        if self.advice is not None:
+            layout.insertWidget(layout.count() - len(self.properties.groups), self.advice)
         layout.addStretch()
         return form
+
+    def _advised(self):
+        """A proposal was taken over into the properties."""
+        self.properties.show()
+        self.properties.changed.emit()
 
     def _preview_box(self):
         box = QtGui.QGroupBox(translate("Preview"))
@@ -106,6 +115,8 @@ class TexturePage(native("operation").TaskPanelPage):
     def _show_rows(self):
         """Only the properties that mean something with the others as they are."""
         self.properties.show_only(set(self.properties.rows) - idle_properties(self.obj))
+        if self.advice is not None:
+            self.advice.setVisible(self.obj.Form == "Free")
 
     def show_error(self, error):
         """The sentence of an InputError at its field; elsewhere, or of another property, in the box."""

@@ -6,11 +6,11 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import _patchmill as core
 from FreeCAD import Qt
 
-THIN = "\u2009"
+THIN = "\u202f"  # narrow, and lines do not break there
 
 
 def grouped(number):
-    """12544 -> '12 544' with a thin space."""
+    """12544 -> '12 544' with a narrow space."""
     return "{:,}".format(number).replace(",", THIN)
 
 

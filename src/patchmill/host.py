@@ -20,11 +20,13 @@ import PathScripts.PathUtils as PathUtils  # noqa: E402  the same name in all ve
 if VERSION >= (0, 21):
     import Path.Main.Job as PathJob
     import Path.Op.Base as PathOp
+    import Path.Preferences as PathPreferences
     import Path.Tool.Controller as PathToolController
     from Path.Base.SetupSheet import RegisterOperation as register_operation
 else:
     import PathScripts.PathJob as PathJob
     import PathScripts.PathOp as PathOp
+    import PathScripts.PathPreferences as PathPreferences
     import PathScripts.PathToolController as PathToolController
     from PathScripts.PathSetupSheet import RegisterOperation as register_operation
 
@@ -110,6 +112,12 @@ def tool_kind(bit):
     if not kind:
         kind = os.path.splitext(os.path.basename(getattr(bit, "BitShape", "")))[0]
     return kind.lower()
+
+
+def preferred_post():
+    """Name of the post-processor that the user has set as FreeCAD's default; '' if none is. A new job takes
+    the first of the list then, which is nobody's choice."""
+    return PathPreferences.defaultPostProcessor()
 
 
 def takes_ball_end(obj, tool):

@@ -47,6 +47,11 @@ def operation_defaults():
     }
 
 
+def post():
+    """FreeCAD post-processor of new jobs."""
+    return _group().GetString("Post", "linuxcnc")
+
+
 def memory_limit_bytes():
     """How much memory one computation may take."""
     return int(_group().GetInt("MemoryLimitMB", 4096)) * 1024 * 1024

@@ -21,6 +21,9 @@ def job_for(part):
     if not getattr(part, "Shape", None) or not part.Shape.Faces:
         raise InputError("Selection", part.Label, "select a face of a solid or surface.")
     job = host.create_job("Job", [part])
+    if not host.preferred_post():
+        job.PostProcessor = preferences.post()
+        job.PostProcessorArgs = "--no-header --no-show-editor"
     return job, job.Model.Group[0]
 
 

@@ -93,3 +93,18 @@ def run_tests(*cases):
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=2).run(suite)
     return 0 if result.wasSuccessful() and result.testsRun else 1
+
+
+def answer_file_dialog(name):
+    """The next file dialog gets `name`, as if typed, and OK."""
+
+    def answer():
+        dialog = QtGui.QApplication.activeModalWidget()
+        if not isinstance(dialog, QtGui.QFileDialog) or not dialog.isVisible():
+            QtCore.QTimer.singleShot(50, answer)
+            return
+        edit = dialog.findChild(QtGui.QLineEdit)
+        edit.setText(name)
+        QtCore.QTimer.singleShot(20, dialog.accept)
+
+    QtCore.QTimer.singleShot(50, answer)

@@ -143,6 +143,27 @@ class TextureCommands(unittest.TestCase):
         self.assertEqual(rows["PatchSide"].error.text(), "")
         self.accept(panel)
 
+    def test_a_proposal_of_the_advisor_is_taken_over_by_one_click(self):
+        operation, panel = self.begin("PatchMill_PlanarTexture")
+        rows, advice = panel.page.properties.rows, panel.page.advice
+        self.assertFalse(advice.isVisibleTo(panel.page.form))
+        rows["Form"].editor.setCurrentText("Free")
+        driver.set_quantity(panel, "FreeSide", 5.0)
+        driver.set_quantity(panel, "CrossFeed", 0.47)
+        driver.set_quantity(panel, "FeedPerTooth", 0.41)
+        self.assertTrue(driver.wait(panel.ready_now))
+        self.assertTrue(advice.isVisibleTo(panel.page.form))
+        self.assertFalse(rows["PatchSide"].editor.isVisibleTo(panel.page.form))
+        advice.ask()
+        self.assertGreater(len(advice.buttons), 1)
+        advice.buttons[0].click()
+        self.assertTrue(driver.ready(panel))
+        self.assertIsNone(panel.error)
+        self.accept(panel)
+        # to the decimals of the posted feed
+        self.assertAlmostEqual(operation.PhaseDrift, 0.0, delta=1e-3)
+        self.assertNotIn("drift", operation.MarkArray.lower())
+
     def test_without_a_face_a_sentence_and_an_unchanged_document(self):
         before = self.names()
         FreeCADGui.Selection.clearSelection()

@@ -1,0 +1,53 @@
+"""As a new user: from an empty FreeCAD with a STEP file to a checked program, through the GUI's commands,
+dialogs and widgets only. The steps are those of the README's quick start.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import os
+import tempfile
+import unittest
+
+import _patchmill as core
+import driver
+import FreeCAD
+import FreeCADGui
+from patchmill_gui import resources
+
+STEP = resources.path("recipes", "xu2016", "block.step")
+
+
+class NewUser(unittest.TestCase):
+    def test_from_a_step_file_to_a_program(self):
+        FreeCADGui.activateWorkbench("PatchMillWorkbench")
+        driver.answer_file_dialog(STEP)
+        FreeCADGui.runCommand("Std_Open")
+        self.assertTrue(driver.wait(lambda: FreeCAD.ActiveDocument is not None))
+        document = FreeCAD.ActiveDocument
+        (part,) = [o for o in document.Objects if hasattr(o, "Shape")]
+        driver.select(part, driver.top_face(part.Shape))
+        FreeCADGui.runCommand("PatchMill_CurvedTexture")
+        panel = driver.panel_of(document.getObject("CurvedTexture"))
+        self.assertTrue(driver.ready(panel))
+        panel.page.properties.rows["PatchesX"].editor.setValue(3)
+        panel.page.properties.rows["PatchesY"].editor.setValue(2)
+        self.assertTrue(driver.ready(panel))
+        panel.accept()
+        self.assertTrue(driver.wait(lambda: not driver.panel_open()))
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "block.ngc")
+            driver.answer_file_dialog(program)
+            FreeCADGui.runCommand("PatchMill_Post")
+            self.assertTrue(os.path.exists(program))
+            with open(program, encoding="utf-8") as file:
+                text = file.read()
+        operation = document.getObject("CurvedTexture")
+        plan = operation.Proxy.planned
+        sections = core.read_gcode(text, plan.input.tool)
+        matches = [core.match_plan(s.path, plan.path, 0.0005).found for s in sections]
+        self.assertEqual(max(matches), operation.DimpleCount)
+        FreeCAD.closeDocument(document.Name)
+
+
+def main():
+    return driver.run_tests(NewUser)
