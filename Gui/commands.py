@@ -16,7 +16,7 @@ from patchmill.translate import QT_TRANSLATE_NOOP
 from PySide import QtGui
 
 from patchmill_gui import tool_paths
-from patchmill_gui.resources import icon, path
+from patchmill_gui.resources import icon
 
 
 def translate(text):
@@ -276,39 +276,6 @@ class Post(Command):
             say(translate("{} was written, read back and holds the plan.").format(name))
 
 
-class Examples(Command):
-    """A menu with an entry for each recipe; the first is what the bare command opens."""
-
-    NAME = "PatchMill_Examples"
-    TEXT = QT_TRANSLATE_NOOP("PatchMill_Examples", "Examples")
-    TIP = QT_TRANSLATE_NOOP("PatchMill_Examples", "Opens a part that is ready to be tried")
-
-    def GetCommands(self):
-        return ("PatchMill_ExampleXu2016",)
-
-    def IsActive(self):
-        return True
-
-
-class ExampleXu2016(Command):
-    NAME = "PatchMill_ExampleXu2016"
-    TEXT = QT_TRANSLATE_NOOP("PatchMill_ExampleXu2016", "Curved texture on a free-form block")
-    TIP = QT_TRANSLATE_NOOP("PatchMill_ExampleXu2016", "The part of Xu and Sasahara 2016")
-
-    def IsActive(self):
-        return True
-
-    def run(self):
-        import Part
-
-        document = FreeCAD.newDocument("Block")
-        part = document.addObject("Part::Feature", "Block")
-        part.Shape = Part.read(path("recipes", "xu2016", "block.step"))
-        document.recompute()
-        FreeCADGui.SendMsgToActiveView("ViewAxo")
-        FreeCADGui.SendMsgToActiveView("ViewFit")
-
-
 TEXTURES = (PlanarTexture, PyramidTexture, CurvedTexture)
 COMMANDS = TEXTURES + (
     CalibrationPatch,
@@ -319,8 +286,6 @@ COMMANDS = TEXTURES + (
     Check,
     Report,
     Post,
-    ExampleXu2016,
-    Examples,
 )
 
 

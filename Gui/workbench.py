@@ -8,7 +8,7 @@ import functools
 import FreeCADGui
 from patchmill import host
 
-from patchmill_gui import commands
+from patchmill_gui import commands, examples
 from patchmill_gui.resources import native, path
 
 SEPARATOR = "Separator"
@@ -23,7 +23,7 @@ def toolbar():
         + ["PatchMill_CalibrationPatch", "PatchMill_CopyMilling", "PatchMill_DressupDcm", SEPARATOR]
         + ["PatchMill_Play", "PatchMill_Simulate"]
         + ["PatchMill_Check", "PatchMill_Post", "PatchMill_Report", SEPARATOR]
-        + ["PatchMill_ExampleXu2016"]
+        + ["PatchMill_Examples"]
     )
 
 
@@ -39,6 +39,7 @@ def start():
 
     native("startup").Startup()
     commands.register()
+    examples.register()
     FreeCADGui.addIconPath(path("icons"))
     FreeCADGui.addLanguagePath(path("translations"))
     FreeCADGui.addPreferencePage(path("ui", "preferences.ui"), "PatchMill")

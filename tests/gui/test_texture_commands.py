@@ -11,6 +11,7 @@ import FreeCAD
 import FreeCADGui
 import driver
 from patchmill import host
+from patchmill_gui import examples
 
 COMMANDS = {
     "PatchMill_PlanarTexture": "PlanarTexture",
@@ -180,6 +181,16 @@ class TextureCommands(unittest.TestCase):
         self.assertEqual(type(operation.ViewObject.Proxy).__module__, "patchmill_gui.texture_view")
 
 
+class ExamplesMenu(unittest.TestCase):
+    def test_every_example_opens_a_part_with_faces(self):
+        FreeCADGui.activateWorkbench("PatchMillWorkbench")
+        for name in examples.COMMANDS:
+            FreeCADGui.runCommand(name)
+            (part,) = FreeCAD.ActiveDocument.Objects
+            self.assertTrue(part.Shape.isValid() and part.Shape.Faces, name)
+            FreeCAD.closeDocument(FreeCAD.ActiveDocument.Name)
+
+
 class NativeMenu(unittest.TestCase):
     def test_the_commands_are_in_freecads_cam_menu_too(self):
         FreeCADGui.activateWorkbench(host.NATIVE_WORKBENCH)
@@ -190,4 +201,4 @@ class NativeMenu(unittest.TestCase):
 
 
 def main():
-    return driver.run_tests(TextureCommands, NativeMenu)
+    return driver.run_tests(TextureCommands, ExamplesMenu, NativeMenu)
