@@ -37,7 +37,7 @@ def placed_summary(placed):
     """Of a PlacedTexture."""
     counts = dict(placed.dimples.counts())
     head = Qt.translate("PatchMill", "{} dimples in {} patches").format(
-        grouped(counts["cut"]), grouped(len(placed.division))
+        grouped(counts["cut"]), grouped(len(placed.free or placed.division))
     )
     return "<b>%s</b><br>%s" % (head, _counts(counts))
 

@@ -11,18 +11,20 @@ import numpy as np
 CUT = 0  # state of a sample that lies on a face
 
 
-def outlines_on_faces(placed, steps=8):
+def outlines_on_faces(placed, pieces=8):
     """The outlines of a PlacedTexture's patches, projected as its dimples are: a list of (k, 3) arrays [mm],
-    closed, each side in `steps` pieces. Rows of NaN where an outline leaves the faces."""
-    flat = [np.vstack([line, line[:1]]) for line in placed.outlines(steps)]
+    closed, each side in `pieces`. Rows of NaN where an outline leaves the faces."""
+    flat = [np.vstack([line, line[:1]]) for line in placed.outlines(pieces)]
     if not flat:
         return []
-    given = placed.input
-    sampler = core.FaceSampler(given.breps, placed.plane, radians(given.steepest_slope))
     points = np.concatenate(flat)
     known = np.isfinite(points).all(axis=1)
-    hits = sampler.sample(np.where(known[:, None], points, 0.0))
+    given = placed.input
+    sampler = core.FaceSampler(given.breps, placed.plane, radians(given.steepest_slope))
+    hits = sampler.sample(points[known])
     lift = 0.2 * given.spacing  # above the host's own, coarser triangles of the face
-    places = hits["positions"] + lift * hits["normals"]
-    places[(hits["states"] != CUT) | ~known] = np.nan
+    found = hits["positions"] + lift * hits["normals"]
+    found[hits["states"] != CUT] = np.nan
+    places = np.full((len(points), 3), np.nan)
+    places[known] = found
     return np.split(places, np.cumsum([len(line) for line in flat])[:-1])
