@@ -22,6 +22,7 @@ _LAZY = {
     "DressupDCM": ("patchmill.dressup_dcm", None),
     "CopyMilling": ("patchmill.copy_milling", None),
     "dcm": ("patchmill.dcm", None),
+    "live": ("patchmill.live", None),
     "tilted_path": ("patchmill.tilted_path", None),
     "removal_model": ("patchmill.removal_model", None),
     "advise": ("patchmill.advisor", "advise"),

@@ -157,18 +157,10 @@ def _compound(faces):
 def mill(given):
     """ToolPath of a CopyInput. Raises InputError naming the property."""
     stock, part = solids(given)
-    low, high = stock.bounds
-    floor = part.bounds[0][2]
-    low[2] = max(low[2], floor)  # the stock below the part is not for this operation
+    low, high = _to_cut(stock, part)
 
     def path(radial, axial, allowance):
-        clearance = max(0.1, given.safe_height - high[2])
-        depths = (radial, axial, given.tolerance, allowance)
-        room = (low, high, clearance, OVERLAP * given.tool.radius)
-        options = core.CopyOptions(
-            given.mode, given.tool, given.spindle, given.feed, *depths, *room
-        )
-        return core.copy_mill(part, options)
+        return core.copy_mill(part, _options(given, low, high, radial, axial, allowance))
 
     made = []
     if given.passes != "Finishing":
@@ -178,6 +170,25 @@ def mill(given):
         axial = given.axial if given.mode == "Contour" else 2.0 * (high[2] - low[2]) + 1.0
         made.append(path(given.last_radial, axial, 0.0))
     return core.joined(made)
+
+
+def live_options(given):
+    """(_patchmill.CopyOptions, part as _patchmill.Solid) of a CopyInput, for patchmill.live."""
+    stock, part = solids(given)
+    return _options(given, *_to_cut(stock, part), given.radial, given.axial, 0.0), part
+
+
+def _to_cut(stock, part):
+    """Low and high corner of the stock's box; the stock below the part is not for this operation."""
+    low, high = stock.bounds
+    low[2] = max(low[2], part.bounds[0][2])
+    return low, high
+
+
+def _options(given, low, high, radial, axial, allowance):
+    depths = (radial, axial, given.tolerance, allowance)
+    room = (low, high, max(0.1, given.safe_height - high[2]), OVERLAP * given.tool.radius)
+    return core.CopyOptions(given.mode, given.tool, given.spindle, given.feed, *depths, *room)
 
 
 def _left_by_layers(given):

@@ -42,6 +42,7 @@ class DcmInput:
     holder: list = field(default_factory=list)
     clearance: float = 1.0
     machine: str = ""
+    transient: tuple = ()  # time [s], step [s], diffusivity [mm^2/s], sub-steps; empty: steady
 
 
 @dataclass
@@ -112,6 +113,7 @@ def input_of(obj):
         holder=_holder(obj),
         clearance=obj.HolderClearance.Value,
         machine=obj.Machine,
+        transient=_transient(obj),
         **limits,
     )
 
@@ -138,7 +140,7 @@ def control(given, model):
     path, source, not_clear = core.apply_dcm(
         planned,
         model.grid,
-        model.feed(given.low, given.high) if given.feed else None,
+        model.feed(given.low, given.high, given.transient) if given.feed else None,
         model.posture if given.posture else None,
         model.part if given.holder else None,
         _above_ball(given),
@@ -225,6 +227,12 @@ def _tool(operation, posture):
             "only a ball end mill can be tilted: choose one, or set Controls to Feed.",
         )
     return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, max(1, int(controller.Tool.Flutes)))
+
+
+def _transient(obj):
+    if obj.Diffusion == "Steady":
+        return ()
+    return (obj.DiffusionTime, obj.TimeStep, obj.Diffusivity, obj.SubSteps)
 
 
 def _is_flat(operation, air):

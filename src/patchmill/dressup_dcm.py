@@ -32,6 +32,17 @@ PROPERTIES = [
     ),
     (
         "App::PropertyEnumeration",
+        "Diffusion",
+        "DCM",
+        "Of the feed: to its steady state, or for a time as in the paper",
+        ["Steady", "Transient"],
+    ),
+    ("App::PropertyFloat", "DiffusionTime", "DCM", "Of a transient diffusion, in seconds", 100.0),
+    ("App::PropertyFloat", "TimeStep", "DCM", "Of a transient diffusion, in seconds", 0.1),
+    ("App::PropertyFloat", "Diffusivity", "DCM", "Of a transient diffusion, in mm^2/s", 40.0),
+    ("App::PropertyBool", "SubSteps", "DCM", "Divide a time step that is too long for the voxels", False),
+    (
+        "App::PropertyEnumeration",
         "PostureForm",
         "DCM",
         "Diffuse the two angles (as in the paper) or the unit vector of the axis",

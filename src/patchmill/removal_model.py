@@ -52,9 +52,17 @@ class RemovalModel:
         self.given, self.grid, self.posture = given, grid, posture
         self.stock, self.part, self.loaded = stock, part, loaded
 
-    def feed(self, low, high):
-        """The _patchmill.FeedField between V_Lo and V_Hi [mm/s]."""
-        return core.steady_feed(self.grid, low, high, self.given.exterior)
+    def feed(self, low, high, transient=()):
+        """The _patchmill.FeedField between V_Lo and V_Hi [mm/s]: steady, or after a transient diffusion of
+        (time [s], step [s], diffusivity [mm^2/s], whether steps may be divided)."""
+        if not transient:
+            return core.steady_feed(self.grid, low, high, self.given.exterior)
+        names = {"time step": "TimeStep", "diffusion time": "DiffusionTime"}
+        names["diffusion coefficient"] = "Diffusivity"
+        try:
+            return core.diffuse_feed(self.grid, low, high, *transient, self.given.exterior)[0]
+        except InputError as error:
+            raise InputError(names.get(error.property, error.property), error.value, error.remedy) from error
 
 
 def make(given, file="", progress=None):

@@ -17,6 +17,7 @@ import linuxcnc
 GIVEN = json.load(open('live.json', encoding='utf-8'))
 sys.path.insert(0, GIVEN['module'])
 import _patchmill as core  # noqa: E402
+from patchmill import live as words  # noqa: E402
 
 
 def session():
@@ -27,20 +28,6 @@ def session():
     tool, spindle = core.BallEndMill(3.0, 2), core.Spindle(100.0, 'M3')
     options = core.CopyOptions('Scanning', tool, spindle, 20.0, 6.0, 2.0, 0.02, 0.0, low, high, 3.0)
     return core.LiveSession(part, grid, options, *GIVEN['feeds'][0])
-
-
-def lines_of(batch):
-    """A batch as MDI commands; rapids as G0."""
-    seconds = batch.turns / batch.spindle.speed
-    before = batch.start
-    for tip, kind, t in zip(batch.tips, batch.kinds, seconds):
-        length = sum((a - b) ** 2 for a, b in zip(tip, before)) ** 0.5
-        before = tip
-        words = 'X%.4f Y%.4f Z%.4f' % tuple(tip)
-        if kind == 0:
-            yield 'G0 ' + words, tip, None
-        elif length > 1e-6:
-            yield 'G1 %s F%.3f' % (words, 60.0 * length / t), tip, length / t
 
 
 class Sender:
@@ -72,9 +59,12 @@ def cut(sender):
     changed = 0
     while not live.done:
         batch = live.next(GIVEN['batch_seconds'])
-        for text, tip, feed in lines_of(batch):
+        for text in words.lines(batch):
             sender.send(text)
-            row = {'tip': list(tip), 'feed': feed, 'conditions': changed, 'level': live.level}
+            value = {word[0]: float(word[1:]) for word in text.split()}
+            feed = value['F'] / 60.0 if 'F' in value else None
+            tip = [value[letter] for letter in 'XYZ']
+            row = {'tip': tip, 'feed': feed, 'conditions': changed, 'level': live.level}
             sender.sent.append(row)
         if changed < 2 and len(sender.sent) >= GIVEN['change_at'][changed]:
             changed += 1

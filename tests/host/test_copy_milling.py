@@ -17,6 +17,7 @@ import FreeCAD  # noqa: E402
 import make_parts  # noqa: E402
 import numpy as np  # noqa: E402
 import Part  # noqa: E402
+import patchmill  # noqa: E402
 from milling_jobs import make_job, pocket_part  # noqa: E402
 from patchmill import CopyMilling, InputError, host  # noqa: E402
 from test_real_parts import IDF, OCCT, read  # noqa: E402
@@ -38,15 +39,19 @@ def ball_centres(path, step):
     return np.vstack(out)
 
 
-def deepest_gouge(shape, path, step, deflection=0.002):
-    """How deep the ball goes into a finer mesh of the part than the one it was led by, by distances alone."""
+def deepest_gouge(shape, path, step):
+    """How deep the ball goes into the part anywhere on the path."""
+    return deepest_at(shape, ball_centres(path, step), path.tool.radius)
+
+
+def deepest_at(shape, centres, radius, deflection=0.002):
+    """How deep balls go into a finer mesh of the part than the one they were led by, by distances alone."""
     solid = core.solid_of_brep(shape.exportBrepToString(), deflection, "part")
     low, high = solid.bounds
-    centres = ball_centres(path, step)
     near = ((centres > np.array(low) - RADIUS) & (centres < np.array(high) + RADIUS)).all(axis=1)
     if not near.any():
         return 0.0
-    return float(path.tool.radius - solid.signed_distances(centres[near]).min())
+    return float(radius - solid.signed_distances(centres[near]).min())
 
 
 def job_with_stock(shape, margin=0.0, name="copy"):
@@ -147,6 +152,27 @@ class CopyMillingTest(unittest.TestCase):
         faces = CopyMilling.recompute(operation)
         lowest = (faces.tips[faces.kinds == 2, 2]).min()
         self.assertAlmostEqual(lowest, model.Shape.Faces[floor - 1].BoundBox.ZMin, delta=0.01)
+
+    def test_live_session_of_an_operation(self):
+        document, job = job_with_stock(make_parts.convex_part(), 1.0)
+        operation, _ = self.mill(job, RadialDepth=5.0, AxialDepth=8.0)
+        session = patchmill.live.start(operation, 2.0, 400 / 60, 800 / 60)
+        words, batches, centres = [], 0, []
+        while not session.done:
+            batch = session.next(5.0)
+            words.extend(patchmill.live.lines(batch))
+            centres.append(ball_centres(batch, 0.3))
+            batches += 1
+            if batches == 20:
+                session.change(axial_depth=4.0, high=1200 / 60)
+        self.assertEqual(session.conditions["axial_depth"], 4.0)
+        shape = job.Model.Group[0].Shape
+        self.assertLessEqual(deepest_at(shape, np.vstack(centres), RADIUS), TOLERANCE)
+        self.assertGreater(len(words), 500)
+        feeds = [float(line.split("F")[1]) for line in words if "F" in line]
+        self.assertGreaterEqual(min(feeds), 399.9)
+        self.assertLessEqual(max(feeds), 1200.1)
+        self.assertGreater(max(feeds), 800.1)
 
     def test_same_input_same_path(self):
         document, job = job_with_stock(make_parts.convex_part(), 1.0)

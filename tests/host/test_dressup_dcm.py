@@ -134,6 +134,22 @@ class OnFreeCADsOwn(unittest.TestCase):
         self.assertLess(fast, slow)
         self.check_contact(operation, dressup)
 
+    def test_transient_with_the_papers_numbers(self):
+        document, job = make_job(pocket_part())
+        job.Stock.ExtXneg = job.Stock.ExtYpos = 15
+        document.recompute()
+        dressup = dress(add_profile(job), VoxelSize=2.0)
+        steady = DressupDCM.recompute(dressup).seconds
+        dressup.Diffusion = "Transient"
+        with self.assertRaises(InputError) as caught:  # r = D dt / dx^2 = 1
+            DressupDCM.recompute(dressup)
+        self.assertEqual(caught.exception.property, "TimeStep")
+        self.assertIn("0.05", caught.exception.remedy)  # r = 1/2
+        dressup.SubSteps = True
+        self.assertAlmostEqual(DressupDCM.recompute(dressup).seconds, steady, delta=0.002 * steady)
+        dressup.DiffusionTime = 0.5
+        self.assertLess(DressupDCM.recompute(dressup).seconds, 0.999 * steady)  # V_Hi has not sunk yet
+
     def test_machine_limits(self):
         document, job = make_job(pocket_part())
         dressup = dress(add_profile(job), Machine="linuxcnc-mill")
