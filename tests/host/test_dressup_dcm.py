@@ -211,7 +211,8 @@ class Posture(unittest.TestCase):
         seconds = path.turns / path.spindle.speed
         self.assertLessEqual((turned[cut] / rates / seconds[cut][:, None]).max(), 1 + 1e-9)
         for axis, joint in zip(path.axes, joints[1:]):
-            np.testing.assert_allclose(machine.kinematics.tool_axis(joint), axis, atol=1e-9)
+            # angles are on four decimals of a degree
+            np.testing.assert_allclose(machine.kinematics.tool_axis(joint), axis, atol=2e-6)
 
     def test_holder_is_kept_clear(self):
         job, dressup, result = convex_posture(RadialDepth=60.0, Passes="Finishing")
