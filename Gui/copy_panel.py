@@ -8,50 +8,23 @@ from patchmill import copy_milling
 from PySide import QtGui
 
 from patchmill_gui.computing import Computing, ComputingBox, translate
+from patchmill_gui.operation_base import OperationPage, OperationView
 from patchmill_gui.path_view import PathScene, show_native_lines
-from patchmill_gui.property_form import PropertyForm, let_shrink
 from patchmill_gui.resources import native
 from patchmill_gui.texture_summary import duration, grouped
 
 
-class CopyPage(native("operation").TaskPanelPage):
+class CopyPage(OperationPage):
     """The operation's own page."""
 
     def getForm(self):
-        form = QtGui.QWidget()
-        layout = QtGui.QVBoxLayout(form)
-        layout.setContentsMargins(2, 2, 2, 2)
-        row = QtGui.QFormLayout()
-        form.toolController, form.coolantController = QtGui.QComboBox(), QtGui.QComboBox()
-        let_shrink(form.toolController)
-        let_shrink(form.coolantController)
-        row.addRow(translate("Tool controller"), form.toolController)
-        row.addRow(translate("Coolant"), form.coolantController)
-        layout.addLayout(row)
-        self.properties = PropertyForm(copy_milling.PROPERTIES, self.obj)
+        form, layout = self.begin_form(copy_milling.PROPERTIES)
         for group in self.properties.groups.values():
             layout.addWidget(group)
         self.box = ComputingBox()
         layout.addWidget(self.box)
         layout.addStretch()
         return form
-
-    def getFields(self, obj):
-        self.properties.store()
-        self.updateToolController(obj, self.form.toolController)
-        self.updateCoolant(obj, self.form.coolantController)
-
-    def setFields(self, obj):
-        self.properties.show()
-        self.setupToolController(obj, self.form.toolController)
-        self.setupCoolant(obj, self.form.coolantController)
-
-    def getSignalsForUpdate(self, obj):
-        return [
-            self.properties.changed,
-            self.form.toolController.currentIndexChanged,
-            self.form.coolantController.currentIndexChanged,
-        ]
 
 
 class CopyPanel(Computing, native("operation").TaskPanel):
@@ -104,27 +77,12 @@ class CopyPanel(Computing, native("operation").TaskPanel):
         return super().reject(resetEdit)
 
 
-class CopyView(native("operation").ViewProvider):
-    """FreeCAD's, with the path drawn by us."""
-
-    def __init__(self, vobj, resources):
-        super().__init__(vobj, resources)
-        self.OpIcon = resources.pixmap
-        self.deleteOnReject = False
-        vobj.Proxy = self
+class CopyView(OperationView):
+    """With the path drawn by us."""
 
     def attach(self, vobj):
         super().attach(vobj)
         self.scene = PathScene(vobj)
-
-    def __setstate__(self, state):
-        super().__setstate__(state)
-        self.deleteOnReject = False
-
-    loads = __setstate__
-
-    def getSelectionFactory(self):
-        return native("selection").fselect
 
     def onChanged(self, vobj, prop):
         if prop == "Visibility" and getattr(self, "scene", None):
@@ -136,12 +94,5 @@ class CopyView(native("operation").ViewProvider):
             shown = self.scene.follow(getattr(obj.Proxy, "path", None))
             show_native_lines(obj.ViewObject, not shown)
 
-    def setEdit(self, vobj=None, mode=0):
-        if mode != 0:
-            return False
-        vobj = vobj if vobj is not None and hasattr(vobj, "Object") else self.vobj
-        page = self.getTaskPanelOpPage(vobj.Object)
-        page.setTitle(self.OpName)
-        page.setIcon(self.OpIcon)
-        self.setupTaskPanel(CopyPanel(vobj.Object, False, page, self.getSelectionFactory()))
-        return True
+    def make_panel(self, obj, page):
+        return CopyPanel(obj, False, page, self.getSelectionFactory())

@@ -120,12 +120,13 @@ class PropertyForm(QtCore.QObject):
             row.label.setVisible(name in names)
 
     def show_error(self, error):
-        """Puts the sentence of an InputError below its field; None clears all. Returns whether there is
-        such a field."""
+        """Puts the sentence of an InputError below its field; None clears all, and so does an exception that
+        names no property. Returns whether there is such a field."""
+        named = getattr(error, "property", None)
         for name, row in self.rows.items():
-            mine = error is not None and error.property == name
+            mine = named == name
             row.error.setVisible(mine)
             row.error.setText("%s: %s" % (error.value, error.remedy) if mine else "")
             if mine:
                 row.group.heading.setChecked(True)
-        return error is not None and error.property in self.rows
+        return named in self.rows

@@ -17,8 +17,8 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.advisor_box import AdvisorBox
 from patchmill_gui.background import Background
-from patchmill_gui.property_form import PropertyForm
 from patchmill_gui.idle_properties import idle_properties
+from patchmill_gui.operation_base import OperationPage
 from patchmill_gui.resources import native, path
 from patchmill_gui.texture_scene import placed_displays
 from patchmill_gui.texture_summary import placed_summary, planned_summary
@@ -32,28 +32,19 @@ def translate(text):
     return Qt.translate("PatchMill", text)
 
 
-class TexturePage(native("operation").TaskPanelPage):
+class TexturePage(OperationPage):
     """The operation's own page."""
 
     def getForm(self):
-        form = QtGui.QWidget()
-        layout = QtGui.QVBoxLayout(form)
-        layout.setContentsMargins(2, 2, 2, 2)
+        form, layout = self.begin_form(
+            property_table(self.obj), closed=("Limits", "Mask", "Phase", "Tool axis", "Check")
+        )
         picture = QtGui.QLabel()
         picture.setPixmap(QtGui.QIcon(path("icons", "quantities.svg")).pixmap(PICTURE_WIDTH, PICTURE_WIDTH))
         picture.setMinimumWidth(1)
         picture.setAlignment(QtCore.Qt.AlignCenter)
-        layout.addWidget(picture)
-        row = QtGui.QFormLayout()
-        form.toolController = QtGui.QComboBox()
-        form.coolantController = QtGui.QComboBox()
-        row.addRow(translate("Tool controller"), form.toolController)
-        row.addRow(translate("Coolant"), form.coolantController)
-        layout.addLayout(row)
+        layout.insertWidget(0, picture)
         layout.addWidget(self._preview_box())
-        self.properties = PropertyForm(
-            property_table(self.obj), self.obj, closed=("Limits", "Mask", "Phase", "Tool axis")
-        )
         for box in self.properties.groups.values():
             layout.addWidget(box)
         self.advice = AdvisorBox(self.obj, self._advised) if hasattr(self.obj, "Form") else None
@@ -94,23 +85,12 @@ class TexturePage(native("operation").TaskPanelPage):
         return box
 
     def getFields(self, obj):
-        self.properties.store()
-        self.updateToolController(obj, self.form.toolController)
-        self.updateCoolant(obj, self.form.coolantController)
+        super().getFields(obj)
         self._show_rows()
 
     def setFields(self, obj):
-        self.properties.show()
-        self.setupToolController(obj, self.form.toolController)
-        self.setupCoolant(obj, self.form.coolantController)
+        super().setFields(obj)
         self._show_rows()
-
-    def getSignalsForUpdate(self, obj):
-        return [
-            self.properties.changed,
-            self.form.toolController.currentIndexChanged,
-            self.form.coolantController.currentIndexChanged,
-        ]
 
     def _show_rows(self):
         """Only the properties that mean something with the others as they are."""

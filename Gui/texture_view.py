@@ -13,8 +13,8 @@ from FreeCAD import Qt
 from PySide import QtCore, QtGui
 
 from patchmill_gui.background import Background
+from patchmill_gui.operation_base import OperationView
 from patchmill_gui.path_view import show_native_lines
-from patchmill_gui.resources import native
 from patchmill_gui.texture_scene import PARTS, TextureScene, placed_displays, planned_displays
 
 DIMPLES, PATH, AXES, RELIEF, NATIVE = SHOWS = (
@@ -33,15 +33,10 @@ PARTS_OF = {
 }
 
 
-class ViewProvider(native("operation").ViewProvider):
-    """FreeCAD's, with our own selection gate, icon, display and panel."""
+class ViewProvider(OperationView):
+    """With dimples, path and relief drawn by us."""
 
-    def __init__(self, vobj, resources):
-        super().__init__(vobj, resources)
-        self.OpIcon = resources.pixmap
-        self.deleteOnReject = False  # what Cancel takes back is the transaction that made it, if that is open
-        self.scene = None
-        vobj.Proxy = self
+    scene = None
 
     def attach(self, vobj):
         """Also when a document is opened: the display is made anew, from the path that was saved."""
@@ -55,15 +50,6 @@ class ViewProvider(native("operation").ViewProvider):
             vobj.addProperty("App::PropertyEnumeration", "Show", "PatchMill", "What is displayed")
             vobj.Show = list(SHOWS)
         self.update(vobj)
-
-    def __setstate__(self, state):
-        super().__setstate__(state)
-        self.deleteOnReject = False
-
-    loads = __setstate__
-
-    def getSelectionFactory(self):
-        return native("selection").fselect
 
     def onChanged(self, vobj, prop):
         if prop in ("Show", "Visibility") and getattr(self, "scene", None):
@@ -103,20 +89,10 @@ class ViewProvider(native("operation").ViewProvider):
         make = placed_displays if show == DIMPLES else planned_displays
         self.drawing.start(lambda progress: make(planned))
 
-    def setEdit(self, vobj=None, mode=0):
-        if mode != 0:
-            return False
+    def make_panel(self, obj, page):
         from patchmill_gui.texture_panel import TexturePanel
 
-        vobj = vobj if vobj is not None and hasattr(vobj, "Object") else self.vobj
-        page = self.getTaskPanelOpPage(vobj.Object)
-        page.setTitle(self.OpName)
-        page.setIcon(self.OpIcon)
-        panel = TexturePanel(
-            vobj.Object, False, page, self.getSelectionFactory()
-        )
-        self.setupTaskPanel(panel)
-        return True
+        return TexturePanel(obj, False, page, self.getSelectionFactory())
 
     def setupContextMenu(self, vobj, menu):
         super().setupContextMenu(vobj, menu)
