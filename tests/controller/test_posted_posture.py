@@ -80,7 +80,8 @@ class PostedPosture(unittest.TestCase):
         axis = turn[:, 2, :]  # the spindle's axis in the frame of the work
         centre = log.tip + RADIUS * axis
         lines = planned[:-1], planned[1:]
-        feed = numpy.array([False] + ["G1 " in line for line in text] + [False])
+        # the post turns the axes once above the stock before TCP is on: a G1 without X
+        feed = numpy.array([False] + ["G1 X" in line for line in text] + [False])
         down = feed[numpy.clip(log.line.astype(int), 0, len(text))]
         off = distance_to_lines(centre[down], *lines)
         tilt = numpy.degrees(numpy.arccos(numpy.clip(axis[down, 2], -1, 1))).max()
