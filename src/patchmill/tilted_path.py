@@ -104,6 +104,9 @@ def write(base, path, source, joints, machine, make_command):
         if done == 0:
             out += [make_command(name) for name in (machine.controller["tcp_on"], "G93")]
             out.append(make_command("G64", {"P": BLEND}))
+            # the axes may have been turned before TCP was on: over the start again
+            begin = np.concatenate([path.start, np.degrees(joints)[0, : len(letters)]]).tolist()
+            out.append(make_command("G0", dict(zip("XYZ" + letters, begin))))
         for i in range(done, last):
             if kinds[i] == RAPID:
                 out.append(make_command("G0", words[i]))

@@ -93,8 +93,8 @@ class PostedPosture(unittest.TestCase):
         )  # fmt: skip
         self.assertGreater(down.sum(), 1000)
         self.assertGreater(tilt, 20.0)
-        # LinuxCNC rounds corners within BLEND in X Y Z; what it rounds of A and C comes on top
-        self.assertLess(off.max(), 2.0 * BLEND)
+        # LinuxCNC rounds corners within BLEND in X Y Z; the ball is led there to 1 um
+        self.assertLess(off.max(), BLEND + 0.001)
         self.assertLess((off**2).mean() ** 0.5, 0.5 * BLEND)
 
 
