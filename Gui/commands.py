@@ -4,14 +4,13 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import importlib
-import os
 
 import FreeCAD
 import FreeCADGui
 from FreeCAD import Qt
 from _patchmill import InputError
 from patchmill import host, quick_setup
-from patchmill.texture_operation import ObjectTexture, planned
+from patchmill.texture_operation import ObjectTexture
 from patchmill.translate import QT_TRANSLATE_NOOP
 from PySide import QtGui
 
@@ -230,25 +229,17 @@ class Report(Command):
     TIP = QT_TRANSLATE_NOOP("PatchMill_Report", "Posts the job, and writes pictures and figures")
 
     def IsActive(self):
-        return selected_texture() is not None
+        return selected_texture() is not None and not FreeCADGui.Control.activeDialog()
 
     def run(self):
+        texture = selected_texture()
         folder = QtGui.QFileDialog.getExistingDirectory(
             FreeCADGui.getMainWindow(), translate("Folder for the report")
         )
         if folder:
-            write_report(selected_texture(), folder)
+            from patchmill_gui.report_panel import ReportPanel
 
-
-def write_report(operation, folder):
-    """Posts the operation's job and writes its report in `folder`: the names of the files."""
-    import patchmill
-
-    plan = planned(operation)
-    job = host.PathUtils.findParentJob(operation)
-    gcode = os.path.join(folder, operation.Name + ".ngc")
-    posted = [p for p in patchmill.post(job, gcode) if p.operation is operation]
-    return [gcode] + patchmill.write_report(posted[0], plan, gcode, folder)
+            FreeCADGui.Control.showDialog(ReportPanel(texture, folder))
 
 
 class Post(Command):

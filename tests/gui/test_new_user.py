@@ -39,6 +39,7 @@ class NewUser(unittest.TestCase):
             driver.answer_file_dialog(program)
             FreeCADGui.runCommand("PatchMill_Post")
             self.assertTrue(os.path.exists(program))
+            self.report(folder)
             with open(program, encoding="utf-8") as file:
                 text = file.read()
         operation = document.getObject("CurvedTexture")
@@ -47,6 +48,18 @@ class NewUser(unittest.TestCase):
         matches = [core.match_plan(s.path, plan.path, 0.0005).found for s in sections]
         self.assertEqual(max(matches), operation.DimpleCount)
         FreeCAD.closeDocument(document.Name)
+
+    def report(self, folder):
+        """The Report command, into the same folder."""
+        driver.answer_file_dialog(folder)
+        FreeCADGui.runCommand("PatchMill_Report")
+        self.assertTrue(driver.panel_open())
+        page = os.path.join(folder, "report.html")
+        self.assertTrue(driver.wait(lambda: os.path.exists(page), 200))
+        driver.rest(0.5)
+        FreeCADGui.Control.closeDialog()
+        with open(page, encoding="utf-8") as file:
+            self.assertIn("relief", file.read())
 
 
 def main():

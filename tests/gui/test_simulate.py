@@ -55,6 +55,16 @@ class Simulate(unittest.TestCase):
         self.operation.ViewObject.Show = "Dimples"
         self.assertFalse(scene.shown("relief"))
 
+    def test_the_commands_open_their_panels(self):
+        for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelection(self.operation)
+            FreeCADGui.runCommand(command)
+            self.assertTrue(driver.panel_open(), command)
+            FreeCADGui.Control.closeDialog()
+            driver.rest(0.1)
+            self.assertFalse(driver.panel_open(), command)
+
     def test_a_simulation_can_be_cancelled(self):
         panel = SimulatePanel(self.operation)
         FreeCADGui.Control.showDialog(panel)
