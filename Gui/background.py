@@ -28,8 +28,10 @@ class Background(QtCore.QObject):
     failed = QtCore.Signal(object)
     _arrived = QtCore.Signal(int, str, object)
 
-    def __init__(self, parent=None):
+    def __init__(self, brief=False, parent=None):
+        """`brief`: what it runs is over soon and may take all cores."""
         super().__init__(parent)
+        self._spare = 0 if brief else 1
         self._number = 0
         self._running = 0
         self._threads = 0
@@ -67,7 +69,7 @@ class Background(QtCore.QObject):
 
         try:
             # a core stays free for the GUI: without it its thread would wait for its turn
-            limit = core.ThreadLimit(max(1, (os.cpu_count() or 2) - 1))
+            limit = core.ThreadLimit(max(1, (os.cpu_count() or 2) - self._spare))
             result = work(progress)
             del limit
         except Exception as error:  # delivered to whoever asked, in the GUI thread

@@ -20,11 +20,11 @@ from patchmill_gui.background import Background
 from patchmill_gui.idle_properties import idle_properties
 from patchmill_gui.operation_base import OperationPage
 from patchmill_gui.resources import native, path
-from patchmill_gui.texture_scene import placed_displays
+from patchmill_gui.texture_scene import dimple_displays, line_displays
 from patchmill_gui.texture_summary import placed_summary, planned_summary
 
 PICTURE_WIDTH = 220  # as narrow as FreeCAD's panel at first
-PLACE_AFTER_MS, PLAN_AFTER_MS = 30, 400
+PLACE_AFTER_MS, PLAN_AFTER_MS = 10, 400
 PREVIEWS = (("dimples", "Dimples"), ("outlines", "Patches"), ("order", "Order"), ("axes", "Tool axes"))
 
 
@@ -117,10 +117,11 @@ class TexturePanel(native("operation").TaskPanel):
         self.page = page
         self.view = obj.ViewObject.Proxy
         self.scene = self.view.scene
-        self.placing, self.planning = Background(), Background()
+        self.placing, self.drawing, self.planning = Background(brief=True), Background(), Background()
         self.error = None  # the InputError that is shown, for whoever asks
         self.placing.finished.connect(self._placed)
         self.placing.failed.connect(self._failed)
+        self.drawing.finished.connect(self.scene.show)
         self.planning.finished.connect(self._planned)
         self.planning.failed.connect(self._failed)
         self.planning.progressed.connect(page.show_progress)
@@ -170,6 +171,7 @@ class TexturePanel(native("operation").TaskPanel):
         self.error = None
         self.page.show_error(None)
         self.scene.show(displays)
+        self.drawing.start(lambda progress: line_displays(placed))
         self.page.summary.setText(placed_summary(placed))
 
     def _plan(self):
@@ -205,7 +207,7 @@ class TexturePanel(native("operation").TaskPanel):
         return not (self.place_timer.isActive() or self.plan_timer.isActive() or self.busy())
 
     def busy(self):
-        return self.placing.busy or self.planning.busy
+        return self.placing.busy or self.drawing.busy or self.planning.busy
 
     def accept(self, resetEdit=True):
         """OK: closes the panel as soon as the plan is ready; at once if it is."""
@@ -243,7 +245,7 @@ class TexturePanel(native("operation").TaskPanel):
     def _stop(self):
         for timer in (self.place_timer, self.plan_timer):
             timer.stop()
-        for work in (self.placing, self.planning):
+        for work in (self.placing, self.drawing, self.planning):
             work.cancel()
         self.view.editing = False
         self.scene.clear()
@@ -251,7 +253,7 @@ class TexturePanel(native("operation").TaskPanel):
 
 def _placed_and_drawn(given, progress):
     placed = place_texture(given, progress)
-    return placed and (placed, placed_displays(placed))
+    return placed and (placed, dimple_displays(placed))
 
 
 def _prepared_with_axes(given, progress):

@@ -88,14 +88,23 @@ class TextureScene(SceneParts):
         super().__init__(PARTS)
 
 
-def placed_displays(placed):
-    """Displays of a PlacedTexture or PlannedTexture: dimples, order, outlines. For any thread."""
+def dimple_displays(placed):
+    """The display of a PlacedTexture's dimples. For any thread."""
+    return {"dimples": core.dimple_display(placed.dimples, 0.42 * placed.input.spacing)}
+
+
+def line_displays(placed):
+    """Displays of what goes with the dimples: outlines of patches, and the order. For any thread."""
     spacing = placed.input.spacing
     return {
-        "dimples": core.dimple_display(placed.dimples, 0.42 * spacing),
         "outlines": core.outline_display(outlines_on_faces(placed)),
         "order": core.order_display(placed.dimples, spacing),
     }
+
+
+def placed_displays(placed):
+    """All displays of a PlacedTexture or PlannedTexture. For any thread."""
+    return {**dimple_displays(placed), **line_displays(placed)}
 
 
 def planned_displays(planned):

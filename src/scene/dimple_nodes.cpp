@@ -33,15 +33,22 @@ std::array<Vec3, 2> tangents(const Vec3& normal) {
   return {a, normal.cross(a)};
 }
 
+constexpr int kCorners = 6;  // of a disc
+
+/// Corners of a regular hexagon on the unit circle.
+constexpr std::array<std::array<double, 2>, kCorners> kHexagon{{{1.0, 0.0},
+                                                                {0.5, 0.8660254037844386},
+                                                                {-0.5, 0.8660254037844386},
+                                                                {-1.0, 0.0},
+                                                                {-0.5, -0.8660254037844386},
+                                                                {0.5, -0.8660254037844386}}};
+
 void add_disc(Triangles& triangles, const Dimple& dimple, double radius) {
   const auto [a, b] = tangents(dimple.surface.normal);
   const auto first = static_cast<std::int32_t>(triangles.vertices.size());
   const Vec3 middle = dimple.surface.position + kLift * radius * dimple.surface.normal;
-  constexpr int kCorners = 6;
-  for (int i = 0; i < kCorners; ++i) {
-    const double turn = i * (2.0 * M_PI / kCorners);
-    triangles.vertices.push_back(
-        single(middle + radius * (std::cos(turn) * a + std::sin(turn) * b)));
+  for (const auto& [across, up] : kHexagon) {
+    triangles.vertices.push_back(single(middle + radius * (across * a + up * b)));
     triangles.colours.push_back(state_colour(dimple.state));
   }
   for (int i = 1; i + 1 < kCorners; ++i)
@@ -58,6 +65,9 @@ struct DimpleChunk {
 DimpleChunk chunk_of(const std::vector<const Dimple*>& dimples, std::size_t first, std::size_t last,
                      double radius) {
   DimpleChunk chunk;
+  chunk.discs.vertices.reserve(kCorners * (last - first));
+  chunk.discs.colours.reserve(kCorners * (last - first));
+  chunk.discs.corners.reserve(4 * (kCorners - 2) * (last - first));
   for (std::size_t i = first; i < last; ++i) {
     const Dimple& dimple = *dimples[i];
     const SbVec3f place = single(dimple.surface.position + kLift * radius * dimple.surface.normal);

@@ -1,0 +1,95 @@
+"""How long the live preview and the relief's display take, printed: a measurement, not a test.
+
+    tests/gui/run_gui tests/gui/preview_times.py
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import resource
+import time
+
+import driver
+import FreeCADGui
+import numpy as np
+from patchmill.texture_plan import place_texture
+from patchmill_gui.texture_scene import placed_displays, relief_display
+
+
+def gib():
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
+
+
+def previews():
+    """From a changed value to dimples on the screen, around 10^5 dimples on 120 x 80 mm."""
+    document, part = driver.new_document(driver.wavy_block(120.0, 80.0))
+    driver.select(part, driver.top_face(part.Shape))
+    FreeCADGui.runCommand("PatchMill_CurvedTexture")
+    operation = document.getObject("CurvedTexture")
+    panel = driver.panel_of(operation)
+    driver.ready(panel)
+    for spacing in (0.31, 0.305, 0.31, 0.305):
+        driver.wait(panel.ready_now)
+        driver.rest(0.5)
+        driver.set_quantity(panel, "Spacing", spacing)
+        began = time.monotonic()
+        driver.wait(lambda: panel.placing.busy)
+        driver.wait(lambda: not panel.placing.busy)
+        shown = time.monotonic() - began
+        driver.wait(lambda: panel.scene.complete)
+        whole = time.monotonic() - began
+        print("dimples: first shown after %.0f ms, all after %.0f ms" % (1e3 * shown, 1e3 * whole))
+    given = operation.Proxy.texture_input(operation)
+    for _ in range(3):
+        began = time.monotonic()
+        placed = place_texture(given)
+        middle = time.monotonic()
+        placed_displays(placed)
+        print(
+            "%d lattice points: placed in %.0f ms, drawn in %.0f ms"
+            % (len(placed.dimples), 1e3 * (middle - began), 1e3 * (time.monotonic() - middle))
+        )
+    panel.reject()
+    driver.wait(lambda: not driver.panel_open())
+
+
+def relief(side=3163):
+    """A relief of 10^7 points: made, shown, and turned."""
+    document, part = driver.new_document(driver.wavy_block())
+    driver.select(part, driver.top_face(part.Shape))
+    FreeCADGui.runCommand("PatchMill_CurvedTexture")
+    operation = document.getObject("CurvedTexture")
+    panel = driver.panel_of(operation)
+    driver.ready(panel)
+    panel.accept()
+    driver.wait(lambda: not driver.panel_open())
+    x, y = np.meshgrid(np.linspace(0, 30, side), np.linspace(0, 20, side))
+    z = 20.0 + 0.05 * np.cos(2 * np.pi * x / 0.5) * np.cos(2 * np.pi * y / 0.5)
+    began = time.monotonic()
+    displays, _, _ = relief_display(np.dstack([x, y, z]), 1e3 * (z - 20.0))
+    made = time.monotonic() - began
+    scene = operation.ViewObject.Proxy.scene
+    scene.switch("relief", True)
+    scene.show(displays)
+    driver.wait(lambda: scene.complete, 120)
+    print("%d points: made in %.1f s, on the screen after %.1f s" % (z.size, made, time.monotonic() - began))
+    view = FreeCADGui.activeDocument().activeView()
+    for height in (40.0, 10.0, 2.0):
+        times = [_frame(view, height, k) for k in range(6)][2:]
+        print("a frame of %.0f mm: %.0f ms" % (height, 1e3 * float(np.median(times))))
+    print("most memory in use: %.1f GiB" % gib())
+
+
+def _frame(view, height, k):
+    from PySide import QtGui
+
+    camera = view.getCameraNode()
+    camera.height = height * (1.0 + 0.001 * k)
+    began = time.monotonic()
+    QtGui.QApplication.processEvents()
+    return time.monotonic() - began
+
+
+def main():
+    previews()
+    relief()
+    return 0
