@@ -3,6 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import FreeCAD
 import FreeCADGui
 from patchmill import hooks
 from PySide import QtCore
@@ -11,7 +12,31 @@ from PySide import QtCore
 def install():
     """View providers for what macros make, our commands in FreeCAD's CAM menu, the user's thread limit."""
     hooks.CREATED.append(attach_view)
+    hooks.RESTORED.append(_attach_later)
     QtCore.QTimer.singleShot(0, add_to_native_menu)
+
+
+def _attach_later(obj):
+    """FreeCAD restores the views of a document after its objects. One that was made without a GUI has none:
+    then its operations, and their job, get theirs now."""
+    place = (obj.Document.Name, obj.Name)
+    QtCore.QTimer.singleShot(0, lambda: _attach_missing(*place))
+
+
+def _attach_missing(document, name):
+    from patchmill import host
+
+    document = FreeCAD.listDocuments().get(document)
+    obj = document.getObject(name) if document else None
+    if obj is None:
+        return
+    for each in (host.PathUtils.findParentJob(obj), obj):
+        # FreeCAD gives 1 where a view has no proxy
+        view = each.ViewObject if each is not None else None
+        if view is not None and view.Proxy in (None, 0, 1):
+            attach_view(each)
+            if getattr(view.Proxy, "obj", None) is None and getattr(view.Proxy, "Object", None) is None:
+                view.Proxy.attach(view)  # FreeCAD does so for the first proxy of a view only
 
 
 def attach_view(obj):

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import host, removal_model
+from patchmill import hooks, host, removal_model
 from patchmill.texture_operation import create
 from patchmill.translate import QT_TRANSLATE_NOOP
 
@@ -58,6 +58,7 @@ class ObjectCopyMilling(host.PathOp.ObjectOp):
 
     def opOnDocumentRestored(self, obj):
         self._add_properties(obj)
+        hooks.announce_restored(obj)
 
     def opSetDefaultValues(self, obj, job):
         for _, name, _, _, default in PROPERTIES:

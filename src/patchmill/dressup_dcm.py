@@ -110,6 +110,7 @@ class DressupDCM:
 
     def onDocumentRestored(self, obj):
         add_properties(obj)
+        hooks.announce_restored(obj)
 
     def onDelete(self, obj, args=None):
         """Puts the base operation back in the job; called before the dressup goes."""

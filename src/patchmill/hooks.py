@@ -1,10 +1,10 @@
-"""Who wants to know of document objects that PatchMill makes: the GUI, which gives them view providers, also
-when a macro made them. Headless nobody listens.
+"""Who wants to know of document objects that PatchMill makes, or that are opened: the GUI, which gives them
+view providers, also when a macro made them. Headless nobody listens.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-CREATED = []  # functions of (document object)
+CREATED, RESTORED = [], []  # functions of (document object)
 
 
 def announce(obj):
@@ -12,3 +12,9 @@ def announce(obj):
     for listener in CREATED:
         listener(obj)
     return obj
+
+
+def announce_restored(obj):
+    """Calls every listener with a document object of a file that is being opened."""
+    for listener in RESTORED:
+        listener(obj)

@@ -73,6 +73,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
 
     def opOnDocumentRestored(self, obj):
         self._add_properties(obj)  # documents of older versions
+        hooks.announce_restored(obj)
 
     def opSetDefaultValues(self, obj, job):
         for _, name, _, _, default in PROPERTIES + self.OWN_PROPERTIES:
