@@ -50,7 +50,8 @@ AXIS_PROPERTIES = [
         "App::PropertyAngle",
         "RowTolerance",
         "Tool axis",
-        "Spindle-locked rows keep one axis; greatest angle between it and the one asked for",
+        "Spindle-locked rows keep one axis; greatest angle between it and the one asked for (half of it is "
+        "used to turn less from row to row)",
         10.0,
     ),
     (

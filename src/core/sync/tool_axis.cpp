@@ -14,8 +14,10 @@ namespace {
 
 constexpr int kSweeps = 200;
 constexpr double kSettled = 1e-9;  // rad
-constexpr double kCorner = 0.5;    // rad: rows are straighter than this
-constexpr double kGap = 2.5;       // a step longer than this times the shortest is a gap
+constexpr double kKeeping = 0.5;  // share of the rows' tolerance spent on turning less between them
+constexpr int kHalvings = 40;     // of a way on the sphere
+constexpr double kCorner = 0.5;   // rad: rows are straighter than this
+constexpr double kGap = 2.5;      // a step longer than this times the shortest is a gap
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -137,6 +139,7 @@ std::vector<Vec3> axes_by_row(const Dimples& dimples, const std::vector<Vec3>& a
                               Angle tolerance) {
   require_in_range("RowTolerance", tolerance.degrees(), 0.0, 45.0, "degrees");
   std::vector<Vec3> out(axes.size(), Vec3::UnitZ());
+  Vec3 before = Vec3::Zero();  // of the row before; none yet
   for (const auto& run : runs(dimples)) {
     const auto at = [&](std::size_t i) { return dimples[run[i]].surface.position; };
     double shortest = std::numeric_limits<double>::infinity();
@@ -147,21 +150,36 @@ std::vector<Vec3> axes_by_row(const Dimples& dimples, const std::vector<Vec3>& a
       if (step.norm() > kGap * shortest) return true;
       return i > 1 && angle_between(at(i - 1) - at(i - 2), step) > kCorner;
     };
-    const auto fits = [&](std::size_t first, std::size_t last, const Vec3& mean) {
+    const auto off = [&](std::size_t first, std::size_t last, const Vec3& axis) {
+      double most = 0.0;
       for (std::size_t i = first; i <= last; ++i)
-        if (angle_between(axes[run[i]], mean) > tolerance.radians()) return false;
-      return true;
+        most = std::max(most, angle_between(axes[run[i]], axis));
+      return most;
+    };
+    // from the mean towards the axis of the row before, as far as kKeeping lets the dimples be off
+    const auto kept = [&](std::size_t first, std::size_t last, const Vec3& mean) {
+      const double way = before.norm() > 0.0 ? angle_between(mean, before) : 0.0;
+      if (way == 0.0) return mean;
+      const double most = std::max(off(first, last, mean), kKeeping * tolerance.radians());
+      if (off(first, last, before) <= most) return before;
+      double near = 0.0, far = way;
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (near + far);
+        (off(first, last, leaned(mean, before, mean, middle)) <= most ? near : far) = middle;
+      }
+      return leaned(mean, before, mean, near);
     };
     for (std::size_t first = 0; first < run.size();) {
       Vec3 sum = axes[run[first]];
       std::size_t last = first;
       while (last + 1 < run.size() && !turns_off(last + 1)) {
         const Vec3 with = sum + axes[run[last + 1]];
-        if (!fits(first, last + 1, with.normalized())) break;
+        if (off(first, last + 1, with.normalized()) > tolerance.radians()) break;
         sum = with;
         ++last;
       }
-      for (std::size_t i = first; i <= last; ++i) out[run[i]] = sum.normalized();
+      before = kept(first, last, sum.normalized());
+      for (std::size_t i = first; i <= last; ++i) out[run[i]] = before;
       first = last + 1;
     }
   }

@@ -37,9 +37,10 @@ struct ToolAxisRule {
 /// AxisSmoothing, WidestTilt, FixedAxis (zero) or PostureField (a wrong number of axes, a zero one).
 std::vector<Vec3> tool_axes(const Dimples& dimples, const ToolAxisRule& rule);
 
-/// Axes that stay the same along each straight row of a patch, as spindle-locked paths need them: the
-/// mean of the row's; a row is cut in two where one of its axes would be further than `tolerance` from
-/// that. Errors: InputError naming RowTolerance if it is not in 0 .. 45 degrees.
+/// Axes that stay the same along each straight row of a patch, as spindle-locked paths need them: from the
+/// mean of the row's as far towards the axis of the row before as none of its dimples is off by more than
+/// half of `tolerance`, or than it is from the mean. So the machine turns less between rows, or not at all. A
+/// row is cut in two where one of its axes would be further than `tolerance` from the mean. Errors: InputError naming RowTolerance if it is not in 0 .. 45 degrees.
 std::vector<Vec3> axes_by_row(const Dimples& dimples, const std::vector<Vec3>& axes,
                               Angle tolerance);
 

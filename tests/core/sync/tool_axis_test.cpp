@@ -5,6 +5,9 @@
 #include "core/geometry/error.h"
 #include "core/sync/contact_azimuth.h"
 
+#include <algorithm>
+#include <random>
+
 #include <gtest/gtest.h>
 
 namespace patchmill {
@@ -123,6 +126,51 @@ TEST(ToolAxis, RowsKeepOneAxisWithinTheTolerance) {
     if (k && axes[k] != axes[k - 1]) ++pieces;
   }
   EXPECT_EQ(pieces, 4);  // 60 degrees of normals in pieces of less than 16
+}
+
+// Two straight rows of ten, the second a step to the side and back again.
+Dimples two_rows() {
+  Dimples rows;
+  for (int k = 0; k < 20; ++k) {
+    Dimple d;
+    d.surface.position = Vec3(k < 10 ? k : 19 - k, k < 10 ? 0.0 : 1.0, 0.0);
+    d.surface.normal = Vec3::UnitZ();
+    rows.push_back(d);
+  }
+  return rows;
+}
+
+TEST(ToolAxis, ARowKeepsTheAxisBeforeAsFarAsHalfTheTolerance) {
+  const Dimples rows = two_rows();
+  const auto tilted = [](double degrees) {
+    const double a = Angle::degrees(degrees).radians();
+    return Vec3(0.0, std::sin(a), std::cos(a));
+  };
+  for (const double apart : {2.0, 4.9, 7.0, 20.0}) {
+    std::vector<Vec3> asked(20, tilted(1.0));
+    std::fill(asked.begin() + 10, asked.end(), tilted(1.0 + apart));
+    const auto axes = axes_by_row(rows, asked, Angle::degrees(10.0));
+    for (int k = 0; k < 10; ++k) EXPECT_LT(between(axes[k], asked[k]), 1e-12);
+    // both rows ask for one axis each: the second stands still, or turns all but five degrees
+    const double turned = std::max(0.0, apart - 5.0);
+    for (int k = 10; k < 20; ++k) EXPECT_LT(between(axes[k], tilted(1.0 + turned)), 1e-9) << apart;
+    EXPECT_EQ(axes[9] == axes[10], apart < 5.0);
+  }
+}
+
+TEST(ToolAxis, KeepingARowsAxisNeverLeavesTheTolerance) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> wander(0.0, 0.04);
+  const Dimples rows = two_rows();
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Vec3> asked;
+    for (int k = 0; k < 20; ++k)
+      asked.push_back(
+          Vec3(wander(random), wander(random) + (k < 10 ? 0.0 : 0.15), 1.0).normalized());
+    const auto axes = axes_by_row(rows, asked, Angle::degrees(9.0));
+    for (int k = 0; k < 20; ++k)
+      EXPECT_LE(between(axes[k], asked[k]), Angle::degrees(9.0).radians() + 1e-12);
+  }
 }
 
 std::string fault(const ToolAxisRule& rule) {
