@@ -208,6 +208,7 @@ void ProgramText::move(const MoveBlock& block) {
     text_ += kWords[motion];
     motion_ = motion;
   }
+  if (block.length > 0) text_ += " G43";
   const std::size_t bare = text_.size();
   axes(block, false);
   if (text_.size() == bare) {  // nothing moves: no block, and no word of it
@@ -215,6 +216,7 @@ void ProgramText::move(const MoveBlock& block) {
     count_ = count;
     return forget_word();
   }
+  if (block.length > 0) text_ += fmt::format(" H{}", block.length);
   if (block.motion == Motion::Locked) {
     text_ += ' ';
     text_ += block.lead.letter;

@@ -36,6 +36,7 @@ struct MoveBlock {
   bool inverse = false;  ///< F belongs to this block alone
   double seconds = 0.0;  ///< > 0: the block's time instead of a feed (Heidenhain's FT)
   LeadWord lead;
+  int length = 0;  ///< > 0: this tool's length comes into force on the block (G43 Z H)
 };
 
 /// Appends `value` with exactly `decimals` of them, never as minus zero; `plus`: always with its sign.

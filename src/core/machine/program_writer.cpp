@@ -30,8 +30,9 @@ class Writer {
     }
     tcp(false);
     if (inverse_) out_.line(words_.per_minute);
-    if (style_.postamble.empty() && tcp_used_ && style_.dialect == Dialect::Fanuc)
-      words_.postamble = "M5\nM30";  // TCP's G49 has cancelled the length
+    const bool cancelled = tcp_used_ && style_.dialect == Dialect::Fanuc;  // by TCP's G49
+    const bool rounding = path_mode_.empty() && style_.dialect == Dialect::Siemens;
+    if (cancelled || rounding) words_.postamble = "M5\nM30";
     out_.lines(style_.postamble.empty() ? words_.postamble : style_.postamble);
     return out_.end();
   }
@@ -108,6 +109,7 @@ class Writer {
     const int tool = block.gives('T') ? static_cast<int>(block.get('T')) : 0;
     tool_ = tool;
     called_ = true;
+    fresh_ = style_.dialect != Dialect::LinuxCnc;
     if (style_.dialect == Dialect::Heidenhain) {
       pending_tool_ = true;
       return;
@@ -143,13 +145,25 @@ class Writer {
     if (pending_length_) out_.line(fmt::format("G43 H{}", tool_));
     pending_length_ = false;
   }
+  /// The first rapids of a new tool as a machinist drives them: across, then down with the tool's length.
+  void first_rapid(MoveBlock m) {
+    MoveBlock part = m;
+    part.given[2] = false;
+    if (part.given != std::array<bool, 6>{}) out_.move(part);
+    if (!m.given[2]) return;
+    fresh_ = false;
+    part.given = {false, false, true, false, false, false};
+    if (pending_length_) part.length = tool_;
+    pending_length_ = false;
+    out_.move(part);
+  }
   /// The first rapid of a path with rotary axes as a machinist drives it: the rotary axes alone, TCP on,
   /// then across, then down.
   void approach(MoveBlock m) {
     MoveBlock part = m;
     part.given = {false, false, false, m.given[3], m.given[4], m.given[5]};
     if (m.given[3] || m.given[4] || m.given[5]) out_.move(part);
-    pending_tcp_ = false;
+    pending_tcp_ = fresh_ = false;
     switch_tcp(true);
     part.given = {m.given[0], m.given[1], false, false, false, false};
     if (m.motion != Motion::Rapid || !(m.given[0] || m.given[1])) return out_.move(m);
@@ -235,17 +249,22 @@ class Writer {
     // the operator, who retracts
     if (!called_ && m.motion == Motion::Rapid && style_.dialect != Dialect::LinuxCnc) return;
     if (pending_tool_) call_tool("");
+    if (fresh_ && m.motion == Motion::Rapid && !pending_tcp_) return first_rapid(m);
     if (!pending_tcp_) length();
     if (m.motion == Motion::Feed && style_.dialect == Dialect::Heidenhain && inverse_) {
       // no inverse time in plain text: the feed that takes as long, or the time itself
       if (way.norm() > 0.0)
-        m.feed = way.norm() * feed_;
+        m.feed = steady_ = near(way.norm() * feed_, steady_);
       else
         m.seconds = 60.0 / feed_;
       m.inverse = false;
     }
     if (pending_tcp_) return approach(m);
     out_.move(m);
+  }
+  /// The feed before if this one is off by no more than the digits of F in inverse time.
+  static double near(double feed, double before) {
+    return std::abs(feed - before) <= kSameFeed * feed ? before : feed;
   }
   LeadWord lead(const Block& block, const Vec3& way, bool turned) const {
     if (!block.gives('K')) refuse(block, "G33 needs its K word.");
@@ -269,15 +288,16 @@ class Writer {
   }
 
   static constexpr std::string_view kAxes = "XYZABC";
+  static constexpr double kSameFeed = 2e-6;
   const ProgramStyle& style_;
   ProgramText out_;
   DialectWords words_;
   std::array<double, 6> at_{};
   std::array<bool, 6> known_{};
-  double feed_ = 0.0, speed_ = 0.0;
+  double feed_ = 0.0, speed_ = 0.0, steady_ = 0.0;
   int tool_ = 1;
   bool tcp_ = false, tcp_used_ = false, pending_tcp_ = false, inverse_ = false;
-  bool called_ = false, pending_tool_ = false, pending_length_ = false;
+  bool called_ = false, fresh_ = false, pending_tool_ = false, pending_length_ = false;
   std::string path_mode_;
 };
 

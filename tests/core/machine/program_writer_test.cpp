@@ -137,18 +137,49 @@ TEST(ProgramWriter, ProgramsAsTheyAreWrittenByHand) {
   fanuc.modal = fanuc.axis_modal = true;
   fanuc.smoothing_on = "G05.1 Q1";
   fanuc.smoothing_off = "G05.1 Q0";
-  EXPECT_EQ(write_program({text}, fanuc),
-            "%\nO0001\n(PATCHMILL)\n(PART: PLATE LEFT)\n(PHASE ZERO: FLUTE 1 AT X)\nG21\n"
-            "G17 G40 G49 G80 G90 G94\n(TC: BALL)\nM5\nT3 M6\nS1000 M3\nG54\nG43 H3\n"
-            "G0 X0.000 Y0.000 Z50.000\nA0.000 C0.000\nG43.4 H3\nG05.1 Q1\nG0 X1.500 Y0.000\n"
-            "Z50.000\nG93\nG61\nG1 X2.000 Z49.000 A1.000 C2.000 F30.000\n"
-            "X3.000 F15.000\nG94\nG0 Z60.000\nG05.1 Q0\nG49\nM5\nM30\n%\n");
-  EXPECT_EQ(write_program({text}, style_of(Dialect::Heidenhain, 3)),
-            "0 BEGIN PGM PATCHMILL MM\n1 ; Part: plate left\n2 ; Phase zero: flute 1 at X\n"
-            "3 ; TC: ball\n4 TOOL CALL 3 Z S1000\n5 M3\n6 L X+0.000 Y+0.000 Z+50.000 R0 FMAX\n"
-            "7 L A+0.000 C+0.000 FMAX\n8 M128\n9 L X+1.500 Y+0.000 R0 FMAX\n10 L Z+50.000 FMAX\n"
-            "11 L X+2.000 Z+49.000 A+1.000 C+2.000 F33.541\n12 L X+3.000 F15.000\n"
-            "13 L Z+60.000 R0 FMAX\n14 M129\n15 M5\n16 M30\n17 END PGM PATCHMILL MM\n");
+  EXPECT_EQ(
+      write_program({text}, fanuc),
+      "%\nO0001\n(PATCHMILL)\n(PART: PLATE LEFT)\n(PHASE ZERO: FLUTE 1 AT X)\nG21\n"
+      "G17 G40 G49 G80 G90 G94\n(TC: BALL)\nM5\nT3 M6\nS1000 M3\nG54\n"
+      "G0 X0.000 Y0.000\nG43 Z50.000 H3\nA0.000 C0.000\nG43.4 H3\nG05.1 Q1\nG0 X1.500 Y0.000\n"
+      "Z50.000\nG93\nG61\nG1 X2.000 Z49.000 A1.000 C2.000 F30.000\n"
+      "X3.000 F15.000\nG94\nG0 Z60.000\nG05.1 Q0\nG49\nM5\nM30\n%\n");
+  EXPECT_EQ(
+      write_program({text}, style_of(Dialect::Heidenhain, 3)),
+      "0 BEGIN PGM PATCHMILL MM\n1 ; Part: plate left\n2 ; Phase zero: flute 1 at X\n"
+      "3 ; TC: ball\n4 TOOL CALL 3 Z S1000\n5 M3\n6 L X+0.000 Y+0.000 R0 FMAX\n"
+      "7 L Z+50.000 FMAX\n8 L A+0.000 C+0.000 FMAX\n9 M128\n10 L X+1.500 Y+0.000 R0 FMAX\n"
+      "11 L Z+50.000 FMAX\n12 L X+2.000 Z+49.000 A+1.000 C+2.000 F33.541\n13 L X+3.000 F15.000\n"
+      "14 L Z+60.000 R0 FMAX\n15 M129\n16 M5\n17 M30\n18 END PGM PATCHMILL MM\n");
+}
+
+TEST(ProgramWriter, TheFirstRapidsGoAcrossAndThenDownWithTheToolsLength) {
+  const std::string text = "M6 T3\nM3 S1000\nG0 X1 Y2 Z50\nG0 Z20\nG1 Z10 F5\n";
+  const auto has = [&](Dialect dialect, const std::string& text_of_blocks) {
+    return write_program({text}, style_of(dialect, 1)).find(text_of_blocks) != std::string::npos;
+  };
+  EXPECT_TRUE(has(Dialect::Fanuc, "\nG0 X1.0 Y2.0\nG0 G43 Z50.0 H3\nG0 Z20.0\nG1 Z10.0 F"));
+  EXPECT_TRUE(has(Dialect::Siemens, "\nG0 X1.0 Y2.0\nG0 Z50.0\nG0 Z20.0\nG1 Z10.0 F"));
+  EXPECT_TRUE(has(Dialect::Siemens, "\nM5\nM30\n"));  // nothing changed the path mode
+  // a path that begins with Z alone; and one that feeds at once still gets its length
+  const auto fanuc = [](const std::string& moves) {
+    return write_program({"M6 T3\nM3 S1000\n" + moves}, style_of(Dialect::Fanuc, 1));
+  };
+  EXPECT_NE(fanuc("G0 Z50\nG0 X1 Y2\n").find("\nG0 G43 Z50.0 H3\nG0 X1.0 Y2.0\n"),
+            std::string::npos);
+  EXPECT_NE(fanuc("G0 X1\nG0 Z50\n").find("\nG0 X1.0\nG0 G43 Z50.0 H3\n"), std::string::npos);
+  EXPECT_NE(fanuc("G1 X1 F5\n").find("\nG43 H3\nG1 X1.0 F"), std::string::npos);
+}
+
+TEST(ProgramWriter, AFeedInInverseTimeThatIsTheSameIsNotGivenAnew) {
+  // 10 mm at F 0.723333/s is the same 434 mm/min as 1 mm at 7.23333/s, but for the last digit
+  const std::string text =
+      "M6 T3\nM3 S1000\nG0 X0 Y0 Z0 A0\nG93\nG1 X1 A1 F7.233333\nG1 X11 A2 F0.723333\n"
+      "G1 X12 A3 F7.233400\n";
+  const std::string program = write_program({text}, style_of(Dialect::Heidenhain, 3));
+  EXPECT_NE(program.find("X+1.000 A+1.000 F434.000\n"), std::string::npos) << program;
+  EXPECT_NE(program.find("X+11.000 A+2.000\n"), std::string::npos) << program;
+  EXPECT_NE(program.find("X+12.000 A+3.000 F434.004\n"), std::string::npos) << program;
 }
 
 TEST(ProgramWriter, FixedNumbers) {
