@@ -53,15 +53,15 @@ def columns(path, names):
     return numpy.array([[float(row[name]) for name in names] for row in rows])
 
 
-def run(kind, form, acceleration=2000, velocity=100, **options):
-    """One program of make_five_axis, made, run and measured."""
+def run(kind, form, acceleration=2000, velocity=100, spindle=1.0, **options):
+    """One program of make_five_axis, made, run and measured. `spindle`: true speed / commanded speed."""
     words = ['%s=%s' % entry for entry in options.items()]
     with tempfile.TemporaryDirectory(prefix='patchmill-five-') as folder:
         stem = pathlib.Path(folder) / 'case'
         subprocess.run([os.environ['MAKE_FIVE_AXIS'], kind, form, str(acceleration), str(velocity),
                         str(stem), *words], check=True, stdout=subprocess.DEVNULL)
         machine = controller.Machine(acceleration=acceleration, velocity=velocity,
-                                     kinematics='xyz' + kind)
+                                     kinematics='xyz' + kind, speed_ratio=spindle)
         log = controller.run(stem.with_suffix('.ngc'), machine, stops=2)
         path = stem.with_suffix('.csv')
         targets = phase.read_targets(path)
@@ -167,6 +167,11 @@ class PhaseWithCTurning(unittest.TestCase):
         for kind, acceleration in (('ac', 2000), ('bc', 2000), ('bc', 10000)):
             for velocity in (100, 300):
                 self.check(kind, 'pivot', acceleration, velocity)
+
+    def test_spindle_one_percent_off(self):
+        for ratio in (0.99, 1.01):
+            for velocity in (100, 300):
+                self.check('ac', 'tcp', 2000, velocity, spindle=ratio)
 
     def test_four_patches_with_links(self):
         for acceleration in (2000, 10000):
