@@ -141,10 +141,10 @@ class Harness(unittest.TestCase):
     @staticmethod
     def processes():
         """Processes that live in the work folder of one of this process' runs."""
-        found = set()
+        found, mine = set(), f'patchmill-controller-{os.getpid()}-'
         for entry in pathlib.Path('/proc').iterdir():
             try:
-                if entry.name.isdigit() and 'patchmill-controller-' in os.readlink(entry / 'cwd'):
+                if entry.name.isdigit() and mine in os.readlink(entry / 'cwd'):
                     found.add(entry.name)
             except OSError:
                 continue  # gone meanwhile, or another user's

@@ -185,7 +185,7 @@ def end(child):
 
 def run_once(program, machine, rate, limit):
     """One run at one clock rate; see run()."""
-    with tempfile.TemporaryDirectory(prefix='patchmill-controller-') as name:
+    with tempfile.TemporaryDirectory(prefix=f'patchmill-controller-{os.getpid()}-') as name:
         folder = pathlib.Path(name)
         prepare(folder, program, machine)
         output = folder / 'output.txt'
