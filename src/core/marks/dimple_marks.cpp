@@ -210,9 +210,12 @@ Vec2 low_centre(const Relief& relief, int i, int j) {
   return weights > 0.0 ? Vec2(centre / weights) : Vec2::Zero();
 }
 
+/// How far from its lowest cell the bottom of a smooth mark can be, each way, in cells.
+constexpr double kFurthest = 0.6;
+
 /// Lowest point of a paraboloid through a cell and its neighbours, least squares over 3 x 3 cells:
-/// offset in cells, at most one each way, and its height. The cell itself where there is no such
-/// paraboloid.
+/// offset in cells and its height. Where there is no such paraboloid, or its bottom is too far off for
+/// the cell to be the lowest, the centre of what is low.
 void refine(const Relief& relief, std::int64_t cell, Vec2& offset, double& height) {
   offset.setZero();
   height = relief.height[static_cast<std::size_t>(cell)];
@@ -231,7 +234,7 @@ void refine(const Relief& relief, std::int64_t cell, Vec2& offset, double& heigh
   const double c = 5 * sum / 9 - (xx + yy) / 3;
   const double det = 4 * a * b - d * d;
   const Vec2 at((d * by - 2 * b * bx) / det, (d * bx - 2 * a * by) / det);
-  if (!(a > 0.0) || !(det > 0.0) || !(at.cwiseAbs().maxCoeff() <= 1.0)) {
+  if (!(a > 0.0) || !(det > 0.0) || !(at.cwiseAbs().maxCoeff() <= kFurthest)) {
     offset = low_centre(relief, i, j);
     return;
   }
