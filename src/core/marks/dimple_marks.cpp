@@ -181,20 +181,18 @@ class Merger {
   std::vector<std::map<std::int32_t, double>> ridges_;  // ordered: the same merges every time
 };
 
-/// Centre of what is low among 5 x 5 cells: mean of the places, weighted by how far each is below half of
-/// the mean height over the lowest cell. For marks that are cut with a moving tool: they have a crease
-/// along their bottom, to which no paraboloid fits.
-Vec2 low_centre(const Relief& relief, int i, int j) {
+/// Centre of what is low among 5 x 5 cells around (i, j): mean of the places, weighted by how far each is
+/// below half of the mean height over `bottom`. In cells from (i, j).
+Vec2 low_centre_around(const Relief& relief, double bottom, int i, int j) {
+  constexpr int kReach = 2;
   const SurfaceGrid& grid = relief.grid;
-  const double bottom = relief.at(i, j);
-  double sum = 0.0;
+  double sum = 0.0, weights = 0.0;
   int count = 0;
   Vec2 centre = Vec2::Zero();
-  double weights = 0.0;
   for (const bool weighing : {false, true}) {
     const double level = 0.5 * sum / std::max(count, 1);
-    for (int dj = -2; dj <= 2; ++dj)
-      for (int di = -2; di <= 2; ++di) {
+    for (int dj = -kReach; dj <= kReach; ++dj)
+      for (int di = -kReach; di <= kReach; ++di) {
         if (i + di < 0 || j + dj < 0 || i + di >= grid.columns || j + dj >= grid.rows) continue;
         const double over = double{relief.at(i + di, j + dj)} - bottom;
         if (!std::isfinite(over)) continue;
@@ -210,12 +208,30 @@ Vec2 low_centre(const Relief& relief, int i, int j) {
   return weights > 0.0 ? Vec2(centre / weights) : Vec2::Zero();
 }
 
-/// How far from its lowest cell the bottom of a smooth mark can be, each way, in cells.
-constexpr double kFurthest = 0.6;
+/// Centre of what is low around the lowest cell. For marks that are cut with a moving tool: they have a
+/// crease along their bottom, to which no paraboloid fits, and their lowest cell may be some cells along
+/// it from their middle: the cells that are looked at follow the centre until they stay.
+Vec2 low_centre(const Relief& relief, int i, int j) {
+  constexpr int kRounds = 4;
+  const double bottom = relief.at(i, j);
+  int di = 0, dj = 0;
+  Vec2 centre = Vec2::Zero();
+  for (int round = 0; round < kRounds; ++round) {
+    centre = Vec2(di, dj) + low_centre_around(relief, bottom, i + di, j + dj);
+    const int to_i = static_cast<int>(std::lround(centre.x()));
+    const int to_j = static_cast<int>(std::lround(centre.y()));
+    if (to_i == di && to_j == dj) break;
+    di = to_i, dj = to_j;
+  }
+  return centre;
+}
+
+/// How far, in cells, the bottom of a smooth mark may be from the centre of what is low in it.
+constexpr double kAgreement = 0.4;
 
 /// Lowest point of a paraboloid through a cell and its neighbours, least squares over 3 x 3 cells:
-/// offset in cells and its height. Where there is no such paraboloid, or its bottom is too far off for
-/// the cell to be the lowest, the centre of what is low.
+/// offset in cells and its height. Where there is no such paraboloid, or it does not agree with the
+/// centre of what is low, that centre and the cell's height.
 void refine(const Relief& relief, std::int64_t cell, Vec2& offset, double& height) {
   offset.setZero();
   height = relief.height[static_cast<std::size_t>(cell)];
@@ -234,8 +250,9 @@ void refine(const Relief& relief, std::int64_t cell, Vec2& offset, double& heigh
   const double c = 5 * sum / 9 - (xx + yy) / 3;
   const double det = 4 * a * b - d * d;
   const Vec2 at((d * by - 2 * b * bx) / det, (d * bx - 2 * a * by) / det);
-  if (!(a > 0.0) || !(det > 0.0) || !(at.cwiseAbs().maxCoeff() <= kFurthest)) {
-    offset = low_centre(relief, i, j);
+  const Vec2 centre = low_centre(relief, i, j);
+  if (!(a > 0.0) || !(det > 0.0) || !((at - centre).norm() <= kAgreement)) {
+    offset = centre;
     return;
   }
   offset = at;

@@ -228,16 +228,16 @@ RC_GTEST_PROP(OnSurface, RandomFacesGiveOnlySoundDimples, ()) {
   };
   const Vec2 start(number(-400, 400), number(-400, 400));
   RC_PRE(inside({Vec3(start.x(), start.y(), 0), Vec3::UnitZ()}));
-  // a lattice begins at its start: where that is too steep to be milled, there may be nothing else
   const double slope = 70.0;
   const Vec3 normal = whole(Vec3(start.x(), start.y(), 0), -Vec3::UnitZ())->normal;
-  RC_PRE(normal.z() > std::cos(slope * kPi / 180.0));
+  // a lattice begins at its start: only where that is too steep to be milled may there be nothing
+  const bool steep_start = normal.z() <= std::cos(slope * kPi / 180.0);
   const Mapping mapping = *rc::gen::element(Mapping::ChebyshevNet, Mapping::LowDistortion);
   const LatticeKind kind = *rc::gen::element(LatticeKind::Square, LatticeKind::Triangular);
   const Laid laid = lay(mapping, kind, 0.9, trimmed(whole, inside), 5.0, slope, start);
   std::int64_t sum = 0;
   for (std::int64_t n : count_states(laid.dimples)) sum += n;
-  RC_ASSERT(sum == std::int64_t(laid.dimples.size()) && cut(laid) > 0);
+  RC_ASSERT(sum == std::int64_t(laid.dimples.size()) && (steep_start || cut(laid) > 0));
   std::set<LatticePoint> seen;
   for (const Dimple& d : laid.dimples) {
     RC_ASSERT(seen.insert(d.lattice).second);
