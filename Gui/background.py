@@ -3,10 +3,16 @@
 The work is a function `work(progress)` that calls progress(share) now and then and stops when that returns
 False. It runs in a thread of its own; what it gives comes back to the GUI thread as a signal.
 
+Qt's objects must die in the thread that made them, or they take the program with them. So no thread here
+holds the last reference to its Background, and Python's collector, which frees cycles in whatever thread it
+happens to start in (closed panels among them), is off while one runs.
+
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import gc
 import os
+import sys
 import threading
 import time
 
@@ -14,9 +20,39 @@ import _patchmill as core
 from PySide import QtCore
 
 
-# Those that have a thread running. A thread must not hold the last reference to its Background: Qt's
-# objects die in the thread that made them, or take the program with them.
-_alive = set()
+NICER = 10  # threads that compute, than those of the GUI and of software rendering
+
+
+class _Threads:
+    """All that are running, seen from the GUI thread: they keep their Background alive and the collector off."""
+
+    def __init__(self):
+        self._owners = []
+        self._paused = False
+
+    def began(self, owner):
+        if not self._owners and gc.isenabled():
+            gc.disable()
+            self._paused = True
+        self._owners.append(owner)
+
+    def ended(self, owner):
+        self._owners.remove(owner)
+        if self._owners or not self._paused:
+            return
+        gc.enable()
+        self._paused = False
+
+
+_threads = _Threads()
+
+
+def _give_way():
+    """Puts the calling thread behind those of the GUI and of the renderer, where threads have a niceness of
+    their own. Threads that it starts, such as those of a parallel loop, inherit it."""
+    if sys.platform == "linux":
+        gui = os.getpriority(os.PRIO_PROCESS, os.getpid())
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), min(gui + NICER, 19))
 
 
 class Background(QtCore.QObject):
@@ -34,15 +70,13 @@ class Background(QtCore.QObject):
         self._spare = 0 if brief else 1
         self._number = 0
         self._running = 0
-        self._threads = 0
         self._arrived.connect(self._deliver, QtCore.Qt.QueuedConnection)
 
     def start(self, work):
         """Cancels what is running and starts `work`."""
         self._number += 1
         self._running = self._number
-        self._threads += 1
-        _alive.add(self)
+        _threads.began(self)
         thread = threading.Thread(target=self._run, args=(work, self._number), daemon=True)
         thread.start()
 
@@ -56,6 +90,7 @@ class Background(QtCore.QObject):
         return self._running != 0
 
     def _run(self, work, number):
+        _give_way()
         began = last = time.monotonic()
 
         def progress(share):
@@ -79,9 +114,7 @@ class Background(QtCore.QObject):
 
     def _deliver(self, number, what, value):
         if what != "progressed":
-            self._threads -= 1
-            if not self._threads:
-                _alive.discard(self)
+            _threads.ended(self)
         if number != self._number:
             return
         if what == "progressed":

@@ -167,12 +167,12 @@ class TexturePanel(native("operation").TaskPanel):
     def _placed(self, result):
         if result is None:
             return
-        placed, displays = result
+        placed, displays, summary = result
         self.error = None
         self.page.show_error(None)
         self.scene.show(displays)
         self.drawing.start(lambda progress: line_displays(placed))
-        self.page.summary.setText(placed_summary(placed))
+        self.page.summary.setText(summary)
 
     def _plan(self):
         given = self._input()
@@ -182,7 +182,7 @@ class TexturePanel(native("operation").TaskPanel):
         if self.ready is not None and self.ready.planned.input == given:
             self._planned(self.ready)
         else:
-            self.planning.start(lambda progress: _prepared_with_axes(given, progress))
+            self.planning.start(lambda progress: _prepared_and_drawn(given, progress))
 
     def _planned(self, ready):
         self.page.progress.setVisible(False)
@@ -190,7 +190,7 @@ class TexturePanel(native("operation").TaskPanel):
             return
         self.ready = ready
         self.scene.show({"axes": ready.axes})
-        self.page.summary.setText(planned_summary(ready.planned))
+        self.page.summary.setText(ready.summary)
         if self.accepting:
             QtCore.QTimer.singleShot(0, self._finish)  # FreeCAD commits nothing inside its own call of accept
 
@@ -253,12 +253,13 @@ class TexturePanel(native("operation").TaskPanel):
 
 def _placed_and_drawn(given, progress):
     placed = place_texture(given, progress)
-    return placed and (placed, dimple_displays(placed))
+    return placed and (placed, dimple_displays(placed), placed_summary(placed))
 
 
-def _prepared_with_axes(given, progress):
+def _prepared_and_drawn(given, progress):
     ready = prepare(given, progress)
     if ready is not None:
+        ready.summary = planned_summary(ready.planned)
         ready.axes = core.path_axis_display(ready.planned.path, 2.0 * given.tool.radius)
     return ready
 

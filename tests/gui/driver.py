@@ -13,10 +13,13 @@ from PySide import QtCore, QtGui
 
 
 def wait(condition, seconds=60.0):
-    """Runs the event loop until `condition()` is true; returns whether it became so."""
+    """Runs the event loop until `condition()` is true; returns whether it became so. Between events it
+    sleeps, as the program's own loop does: a loop that asks again and again would take a core."""
+    look = QtCore.QTimer()
+    look.start(10)
     end = time.monotonic() + seconds
     while time.monotonic() < end:
-        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents | QtCore.QEventLoop.WaitForMoreEvents)
         if condition():
             return True
     return False

@@ -46,13 +46,9 @@ class Responsive(unittest.TestCase):
         panel = driver.panel_of(operation)
         self.assertTrue(driver.ready(panel))
         panel.page.properties.rows["PatchSide"].editor.setValue(20)
-        pauses = []
-        for spacing in (0.3, 0.29, 0.3):  # other work on the machine only ever adds to a pause
-            pauses.append(self.preview(panel, spacing))
-            if pauses[-1] < LONGEST_MS:
-                break
-        print("longest pause of the preview: %s ms" % ", ".join("%.0f" % p for p in pauses))
-        self.assertLess(min(pauses), LONGEST_MS)
+        pause = self.preview(panel, 0.3)
+        print("longest pause of the preview: %.0f ms" % pause)
+        self.assertLess(pause, LONGEST_MS)
         planned = panel.ready.planned
         self.assertGreater(planned.counts["cut"], 600000)
         self.assign(panel, operation)

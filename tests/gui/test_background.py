@@ -1,0 +1,134 @@
+"""Work off the GUI thread: the newest job wins, a failure arrives, and no object of Qt's can be freed in a
+thread that is not its own.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import gc
+import os
+import sys
+import threading
+import unittest
+
+import driver
+from PySide import QtCore
+
+
+class Mourned:
+    """A member of a cycle that tells in which thread it was freed."""
+
+    def __init__(self, told):
+        self.itself, self.told = self, told
+
+    def __del__(self):
+        self.told.append(threading.get_ident())
+
+
+def litter(progress):
+    """Makes containers until Python's collector would have started many times, in all its generations."""
+    kept = []
+    for number in range(300000):
+        kept.append([number])
+        if number % 1000 == 0 and not progress(number / 300000):
+            return None
+    return len(kept)
+
+
+class RunsInTheBackground(unittest.TestCase):
+    def setUp(self):
+        from patchmill_gui.background import Background
+
+        self.work = Background()
+        self.results, self.errors = [], []
+        self.work.finished.connect(self.results.append)
+        self.work.failed.connect(self.errors.append)
+
+    def settle(self):
+        self.assertTrue(driver.wait(lambda: not self.work.busy and gc.isenabled(), 60))
+        driver.rest(0.05)
+
+    def test_cycles_are_freed_in_the_gui_thread(self):
+        freed = []
+        for _ in range(50):
+            Mourned(freed)
+        self.work.start(litter)
+        self.settle()
+        gc.collect()
+        self.assertEqual(self.results, [300000])
+        self.assertEqual(set(freed), {threading.get_ident()})
+        self.assertEqual(len(freed), 50)
+
+    def test_the_collector_stays_as_the_host_has_it(self):
+        gc.disable()
+        try:
+            self.work.start(litter)
+            self.assertTrue(driver.wait(lambda: bool(self.results), 60))
+            driver.rest(0.05)
+            self.assertFalse(gc.isenabled())
+        finally:
+            gc.enable()
+
+    def test_the_newest_wins_and_the_collector_comes_back(self):
+        gate = threading.Event()
+
+        def first(progress):
+            gate.wait(30)
+            return "first"
+
+        self.work.start(first)
+        self.work.start(lambda progress: "second")
+        self.assertTrue(driver.wait(lambda: bool(self.results), 60))
+        self.assertFalse(gc.isenabled())  # the first is still there
+        gate.set()
+        self.settle()
+        self.assertEqual(self.results, ["second"])
+
+    def test_what_is_cancelled_says_nothing(self):
+        looks = []
+
+        def work(progress):
+            while progress(0.5):
+                looks.append(1)
+            return "given up"
+
+        self.work.start(work)
+        self.assertTrue(driver.wait(lambda: bool(looks), 60))
+        self.work.cancel()
+        self.settle()
+        self.assertEqual((self.results, self.errors), ([], []))
+
+    def test_a_failure_arrives(self):
+        def work(progress):
+            raise ValueError("as it was raised")
+
+        self.work.start(work)
+        self.settle()
+        self.assertEqual([str(error) for error in self.errors], ["as it was raised"])
+
+    @unittest.skipUnless(sys.platform == "linux", "threads have a niceness of their own on Linux only")
+    def test_it_gives_way_to_the_gui(self):
+        def work(progress):
+            return os.getpriority(os.PRIO_PROCESS, threading.get_native_id())
+
+        self.work.start(work)
+        self.settle()
+        self.assertGreater(self.results[0], os.getpriority(os.PRIO_PROCESS, os.getpid()))
+
+    def test_it_may_be_forgotten_while_it_runs(self):
+        ended = threading.Event()
+
+        def work(progress):
+            litter(lambda share: True)
+            ended.set()
+
+        self.work.start(work)
+        gone = []
+        self.work.destroyed.connect(lambda: gone.append(QtCore.QThread.currentThread()))
+        self.work = None
+        self.assertTrue(driver.wait(ended.is_set, 60))
+        self.assertTrue(driver.wait(lambda: bool(gone), 60))
+        self.assertEqual(gone, [QtCore.QCoreApplication.instance().thread()])
+
+
+def main():
+    return driver.run_tests(RunsInTheBackground)
