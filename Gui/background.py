@@ -24,7 +24,7 @@ NICER = 10  # threads that compute, than those of the GUI and of software render
 
 
 class _Threads:
-    """All that are running, seen from the GUI thread: they keep their Background alive and the collector off."""
+    """All that are running, seen from the GUI thread: they keep their Background alive, the collector off."""
 
     def __init__(self):
         self._owners = []
