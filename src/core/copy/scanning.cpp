@@ -22,14 +22,15 @@ double chord_step(const CopyOptions& options) {
 struct Probe {
   const TriangleBvh& part;
   double y, floor, radius, tolerance;
+  DropHint near{};  // the point before, a step away
 
-  Vec2 operator()(double x) const {
+  Vec2 operator()(double x) {
     // the probe is larger by the allowance; its centre is that of the tool
-    return {x, std::max(floor, drop_ball(part, x, y, radius))};
+    return {x, std::max(floor, drop_ball(part, x, y, radius, near))};
   }
 
   // Points after `a` up to and with `b`. Two places inside must lie on the chord.
-  void refine(const Vec2& a, const Vec2& b, std::vector<Vec2>& out) const {
+  void refine(const Vec2& a, const Vec2& b, std::vector<Vec2>& out) {
     const double width = b.x() - a.x();
     if (width > 0.5 * tolerance) {
       const Vec2 p = (*this)(a.x() + 0.4 * width), q = (*this)(a.x() + 0.7 * width);
@@ -54,7 +55,7 @@ Vec2 at_height(const Vec2& a, const Vec2& b, double z) {
 
 std::vector<Vec2> probe_profile(const TriangleBvh& part, double y, double x0, double x1,
                                 double floor, const CopyOptions& options) {
-  const Probe probe{part, y, floor, ball_radius(options), options.tolerance};
+  Probe probe{part, y, floor, ball_radius(options), options.tolerance};
   const int steps = std::max(1, static_cast<int>(std::ceil((x1 - x0) / chord_step(options))));
   std::vector<Vec2> profile{probe(x0)};
   for (int i = 1; i <= steps; ++i)

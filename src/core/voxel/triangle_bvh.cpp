@@ -37,25 +37,6 @@ Vec3 closest_weights(const Triangle& t, const Vec3& p) {
   return {1 - vb / sum - vc / sum, vb / sum, vc / sum};
 }
 
-BvhLid lid_over(const TriangleMesh& mesh, const std::int32_t* triangle, std::int32_t count) {
-  Vec3 up = Vec3::Zero();
-  const auto corner = [&](std::int32_t i, int k) -> const Vec3& {
-    return mesh.vertices[mesh.triangles[triangle[i]][k]];
-  };
-  for (std::int32_t i = 0; i < count; ++i) {
-    const Vec3 n = (corner(i, 1) - corner(i, 0)).cross(corner(i, 2) - corner(i, 0));
-    if (n.z() > 0.0) up += n;
-  }
-  BvhLid lid;
-  if (up.z() > 0.05 * up.norm()) lid.slope = -up.head<2>() / up.z();
-  lid.stretch = std::sqrt(1.0 + lid.slope.squaredNorm());
-  lid.height = -std::numeric_limits<double>::infinity();
-  for (std::int32_t i = 0; i < count; ++i)
-    for (int k = 0; k < 3; ++k)
-      lid.height = std::max(lid.height, corner(i, k).z() - lid.slope.dot(corner(i, k).head<2>()));
-  return lid;
-}
-
 void visit_leaf(const TriangleBvh& bvh, const BvhNode& node, const Vec3& p, ClosestPoint& best) {
   for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
     const Triangle& t = bvh.triangles()[i];
@@ -81,7 +62,6 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
   std::iota(order_.begin(), order_.end(), 0);
   nodes_.reserve(n);
   nodes_.push_back({Vec3::Zero(), Vec3::Zero(), 0, n});
-  lids_.resize(1);
   std::vector<std::int32_t> todo{0};
   while (!todo.empty()) {
     const std::int32_t node = todo.back();
@@ -93,6 +73,7 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
     const auto& t = mesh.triangles[i];
     triangles_.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
   }
+  drops_ = DropTree(triangles_);
 }
 
 // Halves a leaf at the median of the longest side of its middles; returns the left child, or 0.
@@ -106,7 +87,6 @@ std::int32_t TriangleBvh::split(std::int32_t at, const std::vector<Vec3>& middle
   }
   nodes_[at].lo = box.lo;
   nodes_[at].hi = box.hi;
-  lids_[at] = lid_over(mesh, order_.data() + first, count);
   if (count <= kLeaf) return 0;
   int axis = 0;
   middles.size().maxCoeff(&axis);
@@ -118,7 +98,6 @@ std::int32_t TriangleBvh::split(std::int32_t at, const std::vector<Vec3>& middle
   const auto left = static_cast<std::int32_t>(nodes_.size());
   nodes_.push_back({Vec3::Zero(), Vec3::Zero(), first, count / 2});
   nodes_.push_back({Vec3::Zero(), Vec3::Zero(), first + count / 2, count - count / 2});
-  lids_.resize(nodes_.size());
   nodes_[at].first = left;
   nodes_[at].count = 0;
   return left;

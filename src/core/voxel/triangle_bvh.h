@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/voxel/drop_tree.h"
 #include "core/voxel/triangle_mesh.h"
 
 #include <cstdint>
@@ -17,25 +18,13 @@ struct BvhNode {
   std::int32_t count = 0;  ///< leaf: how many triangles; inner: 0, and the right child is first + 1
 };
 
-/// A plane that lies over all triangles of a node: z <= slope . (x, y) + height. Its slope is the mean one
-/// of the triangles that face up, so that over a smooth surface it lies close.
-struct BvhLid {
-  Vec2 slope = Vec2::Zero();
-  double height = 0.0;
-  double stretch = 1.0;  ///< sqrt(1 + |slope|^2)
-};
-
-struct Triangle {
-  Vec3 a, b, c;
-};
-
 class TriangleBvh {
  public:
   /// Errors: InputError if the mesh has no triangle.
   explicit TriangleBvh(const TriangleMesh& mesh);
 
   const std::vector<BvhNode>& nodes() const { return nodes_; }  ///< node 0 is the root
-  const std::vector<BvhLid>& lids() const { return lids_; }     ///< one per node
+  const DropTree& drops() const { return drops_; }              ///< over triangles()
   /// Triangles in the order of the leaves, and what their numbers in the mesh are.
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<std::int32_t>& order() const { return order_; }
@@ -43,7 +32,7 @@ class TriangleBvh {
  private:
   std::int32_t split(std::int32_t node, const std::vector<Vec3>& middle, const TriangleMesh& mesh);
   std::vector<BvhNode> nodes_;
-  std::vector<BvhLid> lids_;
+  DropTree drops_;
   std::vector<Triangle> triangles_;
   std::vector<std::int32_t> order_;
 };

@@ -67,6 +67,39 @@ RC_GTEST_PROP(DropBall, EqualsSphereTracingOnRandomTriangles, (unsigned seed)) {
   }
 }
 
+// As the largest over all triangles, and from wherever the search begins: the same to the last bit. Triangles
+// of all sizes and slopes, slivers and upright ones among them, far from the origin too.
+RC_GTEST_PROP(DropBall, IsTheLargestOverAllTrianglesWhateverTheHint, (unsigned seed)) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-6, 6), share(0, 1);
+  const Vec3 far = std::pow(10.0, 4.0 * share(random)) * Vec3(share(random), 1, -share(random));
+  TriangleMesh mesh;
+  const int count = 1 + static_cast<int>(random() % 600);
+  for (int i = 0; i < count; ++i) {
+    const double size = std::pow(10.0, -3.0 * share(random));
+    const Vec3 middle = far + Vec3(place(random), place(random), place(random));
+    for (int k = 0; k < 3; ++k)
+      mesh.vertices.push_back(middle + size * Vec3(place(random), place(random), place(random)));
+    if (i % 5 == 0) mesh.vertices[3 * i + 2].head<2>() = mesh.vertices[3 * i].head<2>();
+    if (i % 7 == 0)
+      mesh.vertices[3 * i + 2] += 0.999 * (mesh.vertices[3 * i + 1] - mesh.vertices[3 * i + 2]);
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const TriangleBvh bvh(mesh);
+  const double radius = std::pow(10.0, 2.0 * share(random) - 1.0);
+  DropHint before;
+  for (int i = 0; i < 20; ++i) {
+    const double x = far.x() + place(random), y = far.y() + place(random);
+    double largest = kNoContact;
+    for (const Triangle& t : bvh.triangles())
+      largest = std::max(largest, drop_ball_on(t, x, y, radius));
+    RC_ASSERT(drop_ball(bvh, x, y, radius) == largest);
+    RC_ASSERT(drop_ball(bvh, x, y, radius, before) == largest);
+    DropHint any{static_cast<std::int32_t>(random() % static_cast<unsigned>(count))};
+    RC_ASSERT(drop_ball(bvh, x, y, radius, any) == largest);
+  }
+}
+
 TEST(DropBall, OnASphereItIsAnotherSphere) {
   // a ball of R on a sphere of r: the centre is on a sphere of R + r, less the sag of the facets,
   // which for a facet of edge e is at most (e / sqrt 3)^2 / 2 r along the normal
