@@ -4,13 +4,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from _patchmill import InputError
-from FreeCAD import Qt
 from patchmill import advisor
 from PySide import QtGui
 
-
-def translate(text):
-    return Qt.translate("PatchMill", text)
+from patchmill_gui.widgets import translate
 
 
 class AdvisorBox(QtGui.QGroupBox):

@@ -6,14 +6,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import FreeCAD
 from _patchmill import InputError
-from FreeCAD import Qt
 from PySide import QtCore, QtGui
 
 from patchmill_gui.background import Background
-
-
-def translate(text):
-    return Qt.translate("PatchMill", text)
+from patchmill_gui.widgets import ERROR_COLOUR, ProgressBar, translate, wrapping_label
 
 
 class ComputingBox(QtGui.QGroupBox):
@@ -24,16 +20,10 @@ class ComputingBox(QtGui.QGroupBox):
         layout = QtGui.QVBoxLayout(self)
         self.button = QtGui.QPushButton(translate("Preview"))
         self.button.setObjectName("Preview")
-        self.bar = QtGui.QProgressBar()
-        self.bar.setRange(0, 1000)
-        self.bar.hide()
-        self.text, self.message = QtGui.QLabel(), QtGui.QLabel()
-        self.message.setStyleSheet("color: #c0392b")
+        self.bar, self.text, self.message = ProgressBar(), wrapping_label(), wrapping_label()
+        self.message.setStyleSheet("color: " + ERROR_COLOUR)
         for widget in (self.button, self.bar, self.text, self.message):
             layout.addWidget(widget)
-        for label in (self.text, self.message):
-            label.setWordWrap(True)
-            label.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
 
 
 class Computing:
@@ -47,7 +37,7 @@ class Computing:
         self.work = Background()
         self.work.finished.connect(self._computed)
         self.work.failed.connect(self._failed)
-        self.work.progressed.connect(self._progressed)
+        self.work.progressed.connect(self.box.bar.show_share)
         self.box.button.clicked.connect(lambda: self.compute(False))
         self.form_rows.changed.connect(self._outdate)
 
@@ -70,8 +60,7 @@ class Computing:
             self._failed(error)
             return
         self.box.button.setText(translate("Cancel"))
-        self.box.bar.setRange(0, 0)  # busy, until the first share is known
-        self.box.bar.show()
+        self.box.bar.begin(known=False)
         self.work.start(work)
 
     def cancel(self):
@@ -81,14 +70,15 @@ class Computing:
         self._idle()
         return busy
 
+    def stop_waiting(self):
+        """What Cancel does first: stops the work. Returns whether OK was waiting for it, so that this is all
+        that Cancel means."""
+        waiting = self.closing
+        return self.cancel() and waiting
+
     def _idle(self):
         self.box.button.setText(translate("Preview"))
         self.box.bar.hide()
-
-    def _progressed(self, share, seconds):
-        self.box.bar.setRange(0, 1000)
-        self.box.bar.setValue(int(1000 * share))
-        self.box.bar.setFormat(translate("%p % · {:.0f} s left").format(seconds))
 
     def _computed(self, result):
         self._idle()

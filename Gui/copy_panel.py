@@ -5,13 +5,12 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import _patchmill as core
 from patchmill import copy_milling
-from PySide import QtGui
 
-from patchmill_gui.computing import Computing, ComputingBox, translate
-from patchmill_gui.operation_base import OperationPage, OperationView
+from patchmill_gui.computing import Computing, ComputingBox
+from patchmill_gui.operation_base import OperationPage, OperationPanel, OperationView
 from patchmill_gui.path_view import PathScene, show_native_lines
-from patchmill_gui.resources import native
 from patchmill_gui.texture_summary import duration, grouped
+from patchmill_gui.widgets import translate
 
 
 class CopyPage(OperationPage):
@@ -27,7 +26,7 @@ class CopyPage(OperationPage):
         return form
 
 
-class CopyPanel(Computing, native("operation").TaskPanel):
+class CopyPanel(Computing, OperationPanel):
     """FreeCAD's panel; OK computes in the background."""
 
     def __init__(self, obj, delete_on_reject, page, selection):
@@ -60,21 +59,13 @@ class CopyPanel(Computing, native("operation").TaskPanel):
         return False  # finish closes the dialog
 
     def finish(self, result):
-        self.obj.Proxy.ready = result[0]
-        self.obj.Document.recompute()  # inside the transaction
-        super().accept()
+        self.close_with(result[0])
 
-    def clicked(self, button):
-        if button == QtGui.QDialogButtonBox.Apply:
-            self.panelGetFields()
-            self.setClean()
-            self.compute(False)
+    def preview(self):
+        self.compute(False)
 
     def reject(self, resetEdit=True):
-        if self.closing and self.cancel():
-            return False
-        self.work.cancel()
-        return super().reject(resetEdit)
+        return False if self.stop_waiting() else super().reject(resetEdit)
 
 
 class CopyView(OperationView):

@@ -9,12 +9,13 @@ import FreeCADGui
 from patchmill import dcm, dressup_dcm, removal_model, voxel_slices
 from PySide import QtCore, QtGui
 
-from patchmill_gui.computing import Computing, ComputingBox, translate
-from patchmill_gui.legend import Legend
+from patchmill_gui.computing import Computing, ComputingBox
+from patchmill_gui.legend import LegendPlace
 from patchmill_gui.path_view import PathScene, show_native_lines
-from patchmill_gui.property_form import PropertyForm, let_shrink
+from patchmill_gui.property_form import PropertyForm
 from patchmill_gui.resources import icon
 from patchmill_gui.texture_summary import duration, grouped
+from patchmill_gui.widgets import let_shrink, translate
 
 AXES = ("X", "Y", "Z")
 ARROWS_PER_AXIS = 24  # about so many along the longest side
@@ -27,7 +28,7 @@ class DcmPanel(Computing):
     def __init__(self, obj):
         self.obj = obj
         self.scene = obj.ViewObject.Proxy.scene
-        self.legend = None
+        self.legend = LegendPlace()
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(translate("DCM modifier"))
         self.form.setWindowIcon(QtGui.QIcon(icon("PatchMill_DressupDcm")))
@@ -96,7 +97,7 @@ class DcmPanel(Computing):
         model, _, feed, _, (low, high) = self.result
         grid, axis, what = model.grid, self.axis.currentIndex(), self.what.currentIndex()
         self.scene.parts.switch("slice", what < 2)
-        self._hide_legend()
+        self.legend.hide()
         if what == 2 or (what == 1 and model.posture is None):
             return
         least, most = voxel_slices.slice_range(model, axis)
@@ -110,9 +111,7 @@ class DcmPanel(Computing):
             centres, values = voxel_slices.tilt_slice(model, axis, place)
         display = core.slice_display(centres, list(values), 0.98 * grid.pitch, axis, low, high)
         self.scene.parts.show({"slice": display})
-        view = FreeCADGui.ActiveDocument.ActiveView
-        self.legend = Legend(title, low, high, 0, view.getSize())
-        view.getSceneGraph().addChild(self.legend.root)
+        self.legend.show(title, low, high)
 
     def show_arrows(self):
         on = self.arrows.isChecked() and self.result is not None
@@ -129,11 +128,6 @@ class DcmPanel(Computing):
         display = core.arrow_display(places, axes, size, list(tilt), 0.0, 90.0)
         self.scene.parts.show({"arrows": display})
 
-    def _hide_legend(self):
-        if self.legend is not None:
-            FreeCADGui.ActiveDocument.ActiveView.getSceneGraph().removeChild(self.legend.root)
-            self.legend = None
-
     def getStandardButtons(self):
         return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
@@ -149,16 +143,15 @@ class DcmPanel(Computing):
         self._close()
 
     def reject(self):
-        if self.closing and self.cancel():
+        if self.stop_waiting():
             return False
-        self.work.cancel()
         FreeCAD.ActiveDocument.abortTransaction()
         self._close()
         FreeCAD.ActiveDocument.recompute()
         return True
 
     def _close(self):
-        self._hide_legend()
+        self.legend.hide()
         for part in ("slice", "arrows"):
             self.scene.parts.switch(part, False)
         FreeCADGui.Control.closeDialog()

@@ -4,6 +4,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import _patchmill as core
+import FreeCADGui
 from pivy import coin
 
 # In units of half the view's height: the bar's distance from the left, its low and high end, its width
@@ -69,6 +70,26 @@ class Legend:
         for node in (material, binding, coordinates, strip):
             bar.addChild(node)
         return bar
+
+
+class LegendPlace:
+    """Where a panel shows its legend, one at a time: over the view that is active."""
+
+    def __init__(self):
+        self._root = self._legend = None
+
+    def show(self, title, low, high):
+        """A legend in the place of the last one; arguments as Legend's, values without decimals."""
+        self.hide()
+        view = FreeCADGui.ActiveDocument.ActiveView
+        self._root = view.getSceneGraph()
+        self._legend = Legend(title, low, high, 0, view.getSize())
+        self._root.addChild(self._legend.root)
+
+    def hide(self):
+        if self._legend is not None:
+            self._root.removeChild(self._legend.root)
+            self._legend = None
 
 
 def _text(x, y, string):

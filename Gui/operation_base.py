@@ -1,13 +1,13 @@
-"""What the views and panel pages of our operations share, over FreeCAD's own.
+"""What the views, panels and their pages of our operations share, over FreeCAD's own.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from FreeCAD import Qt
 from PySide import QtGui
 
-from patchmill_gui.property_form import PropertyForm, let_shrink
+from patchmill_gui.property_form import PropertyForm
 from patchmill_gui.resources import native
+from patchmill_gui.widgets import let_shrink, translate
 
 
 class OperationView(native("operation").ViewProvider):
@@ -43,6 +43,28 @@ class OperationView(native("operation").ViewProvider):
         return True
 
 
+class OperationPanel(native("operation").TaskPanel):
+    """FreeCAD's panel; Apply previews, and OK closes it when the work behind it is done. A subclass gives
+    `preview`, starts its work in `accept` and calls `close_with` at the end."""
+
+    def preview(self):
+        """Shows, when it is there, what the properties as they are would give."""
+        raise NotImplementedError
+
+    def clicked(self, button):
+        if button == QtGui.QDialogButtonBox.Apply:
+            self.panelGetFields()
+            self.setClean()
+            self.preview()
+
+    def close_with(self, ready):
+        """Recomputes the operation with what was made beforehand, and closes. Not to be called inside
+        FreeCAD's own call of accept, where it commits nothing."""
+        self.obj.Proxy.ready = ready
+        self.obj.Document.recompute()  # inside the transaction
+        super().accept()
+
+
 class OperationPage(native("operation").TaskPanelPage):
     """A page with tool controller, coolant and a form of the operation's properties. A subclass builds its
     form with `begin_form` and adds to it."""
@@ -60,7 +82,7 @@ class OperationPage(native("operation").TaskPanelPage):
             ("Coolant", form.coolantController),
         ):
             let_shrink(combo)
-            rows.addRow(Qt.translate("PatchMill", text), combo)
+            rows.addRow(translate(text), combo)
         layout.addLayout(rows)
         self.properties = PropertyForm(table, self.obj, closed)
         return form, layout

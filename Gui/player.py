@@ -8,20 +8,17 @@ import time
 
 import FreeCADGui
 import numpy as np
-from FreeCAD import Qt
 from PySide import QtCore, QtGui
 
 from patchmill_gui.texture_summary import grouped
 from patchmill_gui.tool_node import ToolNode
+from patchmill_gui.widgets import translate
+from patchmill_gui.work_panel import ClosePanel
 
 SPEEDS = (0.01, 0.1, 1.0, 10.0, 100.0, 1000.0)
 RAPID_MM_S = 100.0  # for moves whose time is the machine's affair
 FRAME_MS = 40
 STEPS = 100000  # of the slider
-
-
-def translate(text):
-    return Qt.translate("PatchMill", text)
 
 
 class Timeline:
@@ -57,14 +54,15 @@ class Timeline:
         return tip, axis / np.linalg.norm(axis), angle, move
 
 
-class PlayerPanel:
+class PlayerPanel(ClosePanel):
     """Task panel. `path` is the ToolPath of the document object `operation`."""
 
     def __init__(self, operation, path):
+        super().__init__(translate("Play"))
         self.line = Timeline(path)
         self.operation = operation
         self.moment = 0.0
-        self.form = self._form()
+        self._fill_form()
         radius = path.tool.radius
         self.tool = ToolNode(radius, path.tool.flutes, 12.0 * radius, 4.0 * radius)
         self.root = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
@@ -73,10 +71,7 @@ class PlayerPanel:
         self.timer.timeout.connect(self._frame)
         self.go_to(0.0)
 
-    def _form(self):
-        form = QtGui.QWidget()
-        form.setWindowTitle(translate("Play"))
-        layout = QtGui.QVBoxLayout(form)
+    def _fill_form(self):
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setRange(0, STEPS)
         self.slider.setObjectName("Moment")
@@ -95,12 +90,11 @@ class PlayerPanel:
         row = QtGui.QHBoxLayout()
         for widget in (self.play, self.speed, self.speed_label):
             row.addWidget(widget)
-        layout.addWidget(self.slider)
-        layout.addLayout(row)
-        layout.addWidget(self.text)
-        layout.addStretch()
+        self.layout.addWidget(self.slider)
+        self.layout.addLayout(row)
+        self.layout.addWidget(self.text)
+        self.layout.addStretch()
         self._show_speed()
-        return form
 
     def _show_speed(self):
         self.speed_label.setText("{:g} ×".format(SPEEDS[self.speed.value()]))
@@ -144,16 +138,9 @@ class PlayerPanel:
             )
         )
 
-    def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
-
-    def reject(self):
+    def leave(self):
         self.timer.stop()
         self.root.removeChild(self.tool.root)
-        FreeCADGui.Control.closeDialog()
-        return True
-
-    accept = reject
 
 
 def _clock(seconds):

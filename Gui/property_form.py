@@ -11,20 +11,13 @@ import re
 from PySide import QtCore, QtGui
 
 from patchmill_gui.property_rows import row_for
+from patchmill_gui.widgets import ERROR_COLOUR, let_shrink
 
 
 def label_of(name):
     """'PatchSide' -> 'Patch side'."""
     words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
     return words[:1] + words[1:].lower() if not words.endswith(("X", "Y")) else words
-
-
-def let_shrink(editor):
-    """FreeCAD's panel is narrow: a combo box must not be as wide as its longest choice."""
-    for widget in [editor] + editor.findChildren(QtGui.QWidget):
-        widget.setMinimumWidth(30)
-        if isinstance(widget, QtGui.QComboBox):
-            widget.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
 
 
 class Group(QtGui.QWidget):
@@ -87,7 +80,7 @@ class PropertyForm(QtCore.QObject):
         row.label = label
         row.error = QtGui.QLabel()
         row.error.setWordWrap(True)
-        row.error.setStyleSheet("color: #c0392b")
+        row.error.setStyleSheet("color: " + ERROR_COLOUR)
         row.error.hide()
         layout = self.groups[group].rows
         row.group = self.groups[group]

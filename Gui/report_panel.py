@@ -6,19 +6,14 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import os
 
-import FreeCADGui
 import patchmill
 from _patchmill import InputError
-from FreeCAD import Qt
 from patchmill import host
 from patchmill.texture_operation import planned
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
-from patchmill_gui.background import Background
-
-
-def translate(text):
-    return Qt.translate("PatchMill", text)
+from patchmill_gui.widgets import translate
+from patchmill_gui.work_panel import WorkPanel
 
 
 def report_work(operation, folder):
@@ -38,59 +33,27 @@ def report_work(operation, folder):
     return work
 
 
-class ReportPanel:
-    """Task panel; starts at once."""
+class ReportPanel(WorkPanel):
+    """Task panel; starts at once. `result`: the names of the files."""
 
     def __init__(self, operation, folder):
-        self.files = self.error = None
-        self.form = QtGui.QWidget()
-        self.form.setWindowTitle(translate("Report"))
-        layout = QtGui.QVBoxLayout(self.form)
-        self.bar, self.text = QtGui.QProgressBar(), QtGui.QLabel(translate("Posting …"))
-        self.bar.setRange(0, 1000)
-        self.text.setWordWrap(True)
-        self.text.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
+        super().__init__(translate("Report"))
         self.text.setOpenExternalLinks(True)
-        layout.addWidget(self.bar)
-        layout.addWidget(self.text)
-        layout.addStretch()
-        self.work = Background()
-        self.work.finished.connect(self._finished)
-        self.work.failed.connect(self._failed)
-        self.work.progressed.connect(self._progressed)
+        self.add_progress()
         try:
             work = report_work(operation, folder)
         except InputError as error:
-            self._failed(error)
+            self.show_error(error)
         else:
             self.text.setText(translate("Simulating and drawing …"))
+            self.bar.begin()
             self.work.start(work)
 
-    def _progressed(self, share, seconds):
-        self.bar.setValue(int(1000 * share))
-        self.bar.setFormat(translate("%p % · {:.0f} s left").format(seconds))
-
-    def _finished(self, files):
-        self.files = files
+    def show_result(self, files):
+        self.result = files
         self.bar.hide()
         (page,) = [name for name in files if name.endswith(".html")]
         url = QtCore.QUrl.fromLocalFile(page).toString()
         link = '<a href="%s">%s</a>' % (url, translate("Open the report"))
         rest = "<br>".join(os.path.basename(name) for name in files)
         self.text.setText("%s<br>%s" % (link, rest))
-
-    def _failed(self, error):
-        self.error = error
-        self.bar.hide()
-        self.text.setText('<span style="color:#c0392b">%s</span>' % error)
-
-    def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
-
-    def reject(self):
-        """Closes; what is still being written is given up."""
-        self.work.cancel()
-        FreeCADGui.Control.closeDialog()
-        return True
-
-    accept = reject

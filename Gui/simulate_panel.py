@@ -3,25 +3,19 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import FreeCADGui
 import patchmill
-from FreeCAD import Qt
 from _patchmill import InputError
 from patchmill import machines
 from patchmill.texture_operation import planned
 from PySide import QtCore, QtGui
 
-from patchmill_gui.background import Background
-from patchmill_gui.legend import Legend
-from patchmill_gui.property_form import let_shrink
+from patchmill_gui.legend import LegendPlace
 from patchmill_gui.texture_scene import relief_display
 from patchmill_gui.texture_view import RELIEF
+from patchmill_gui.widgets import let_shrink, translate
+from patchmill_gui.work_panel import WorkPanel
 
 MOST_POINTS = 10**7
-
-
-def translate(text):
-    return Qt.translate("PatchMill", text)
 
 
 def relief_of(result):
@@ -34,24 +28,24 @@ def relief_of(result):
     return relief_display(points, 1000.0 * heights)
 
 
-class SimulatePanel:
-    """Task panel for a texture operation."""
+class SimulatePanel(WorkPanel):
+    """Task panel for a texture operation. The relief stays displayed when it closes."""
 
     def __init__(self, operation):
+        super().__init__(translate("Simulate marks"))
         self.operation = operation
         self.plan = planned(operation)
         self.scene = operation.ViewObject.Proxy.scene
-        self.result = self.error = self.legend = None
-        self.work = Background()
-        self.work.finished.connect(self._finished)
-        self.work.failed.connect(self._failed)
-        self.work.progressed.connect(self._progressed)
-        self.form = self._form()
+        self.legend = LegendPlace()
+        self.layout.addLayout(self._rows())
+        self.button = QtGui.QPushButton(translate("Simulate"))
+        self.button.setObjectName("Simulate")
+        self.button.clicked.connect(self.simulate)
+        self.layout.addWidget(self.button)
+        self.text.setTextFormat(QtCore.Qt.RichText)
+        self.add_progress()
 
-    def _form(self):
-        form = QtGui.QWidget()
-        form.setWindowTitle(translate("Simulate marks"))
-        layout = QtGui.QVBoxLayout(form)
+    def _rows(self):
         rows = QtGui.QFormLayout()
         self.size = QtGui.QDoubleSpinBox()
         self.size.setRange(0.0, 1e4)
@@ -71,21 +65,7 @@ class SimulatePanel:
         rows.addRow(translate("Runout"), self.runout)
         for editor in (self.size, self.machine, self.runout):
             let_shrink(editor)
-        layout.addLayout(rows)
-        self.button = QtGui.QPushButton(translate("Simulate"))
-        self.button.setObjectName("Simulate")
-        self.button.clicked.connect(self.simulate)
-        self.bar = QtGui.QProgressBar()
-        self.bar.setRange(0, 1000)
-        self.bar.hide()
-        self.text = QtGui.QLabel()
-        self.text.setWordWrap(True)
-        self.text.setTextFormat(QtCore.Qt.RichText)
-        self.text.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
-        for widget in (self.button, self.bar, self.text):
-            layout.addWidget(widget)
-        layout.addStretch()
-        return form
+        return rows
 
     def window(self):
         """((x, y) least, (x, y) greatest) around the milled dimple nearest to the middle; None for all."""
@@ -115,58 +95,32 @@ class SimulatePanel:
 
         self.button.setText(translate("Cancel"))
         self.text.clear()
-        self.bar.setValue(0)
-        self.bar.show()
+        self.bar.begin()
         self.work.start(run)
 
     def _idle(self):
         self.button.setText(translate("Simulate"))
         self.bar.hide()
 
-    def _progressed(self, share, seconds):
-        self.bar.setValue(int(1000 * share))
-        self.bar.setFormat(translate("%p % · {:.0f} s left").format(seconds))
-
-    def _failed(self, error):
+    def show_error(self, error):
         self._idle()
-        self.error = error
-        self.text.setText('<span style="color:#c0392b">%s</span>' % error)
+        super().show_error(error)
         if not isinstance(error, InputError):
             raise error
 
-    def _finished(self, made):
+    def show_result(self, made):
         self._idle()
         if made is None:
             return
         self.result, (displays, low, high) = made
         self.scene.show(displays)
         self.operation.ViewObject.Show = RELIEF
-        self._show_legend(low, high)
+        self.legend.show(translate("height over the faces [µm]"), low, high)
         cells = "".join(
             "<tr><td>%s </td><td><b>%s</b></td></tr>" % row for row in self.result.rows()
         )
         self.text.setText("<table>%s</table>" % cells)
 
-    def _show_legend(self, low, high):
-        self._hide_legend()
-        view = FreeCADGui.ActiveDocument.ActiveView
-        title = translate("height over the faces [µm]")
-        self.legend = Legend(title, low, high, 0, view.getSize())
-        view.getSceneGraph().addChild(self.legend.root)
-
-    def _hide_legend(self):
-        if self.legend is not None:
-            FreeCADGui.ActiveDocument.ActiveView.getSceneGraph().removeChild(self.legend.root)
-            self.legend = None
-
-    def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
-
-    def reject(self):
-        """Closes; the relief stays displayed."""
-        self.work.cancel()
-        self._hide_legend()
-        FreeCADGui.Control.closeDialog()
-        return True
-
-    accept = reject
+    def leave(self):
+        super().leave()
+        self.legend.hide()

@@ -9,7 +9,6 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import _patchmill as core
 import FreeCAD
-from FreeCAD import Qt
 from _patchmill import InputError
 from patchmill.texture_operation import prepare, property_table
 from patchmill.texture_plan import place_texture
@@ -18,18 +17,15 @@ from PySide import QtCore, QtGui
 from patchmill_gui.advisor_box import AdvisorBox
 from patchmill_gui.background import Background
 from patchmill_gui.idle_properties import idle_properties
-from patchmill_gui.operation_base import OperationPage
-from patchmill_gui.resources import native, path
+from patchmill_gui.operation_base import OperationPage, OperationPanel
+from patchmill_gui.resources import path
 from patchmill_gui.texture_scene import dimple_displays, line_displays
 from patchmill_gui.texture_summary import placed_summary, planned_summary
+from patchmill_gui.widgets import ERROR_COLOUR, ProgressBar, translate
 
 PICTURE_WIDTH = 220  # as narrow as FreeCAD's panel at first
 PLACE_AFTER_MS, PLAN_AFTER_MS = 10, 400
 PREVIEWS = (("dimples", "Dimples"), ("outlines", "Patches"), ("order", "Order"), ("axes", "Tool axes"))
-
-
-def translate(text):
-    return Qt.translate("PatchMill", text)
 
 
 class TexturePage(OperationPage):
@@ -76,11 +72,9 @@ class TexturePage(OperationPage):
         layout.addWidget(self.summary)
         self.message = QtGui.QLabel()
         self.message.setWordWrap(True)
-        self.message.setStyleSheet("color: #c0392b")
+        self.message.setStyleSheet("color: " + ERROR_COLOUR)
         layout.addWidget(self.message)
-        self.progress = QtGui.QProgressBar()
-        self.progress.setRange(0, 1000)
-        self.progress.setVisible(False)
+        self.progress = ProgressBar()
         layout.addWidget(self.progress)
         return box
 
@@ -103,13 +97,8 @@ class TexturePage(OperationPage):
         at_field = self.properties.show_error(error)
         self.message.setText("" if error is None or at_field else str(error))
 
-    def show_progress(self, share, seconds):
-        self.progress.setVisible(True)
-        self.progress.setValue(int(1000 * share))
-        self.progress.setFormat(translate("%p % · {:.0f} s left").format(seconds))
 
-
-class TexturePanel(native("operation").TaskPanel):
+class TexturePanel(OperationPanel):
     """FreeCAD's panel, with preview, and with an OK that waits for the plan without blocking."""
 
     def __init__(self, obj, delete_on_reject, page, selection):
@@ -124,7 +113,7 @@ class TexturePanel(native("operation").TaskPanel):
         self.drawing.finished.connect(self.scene.show)
         self.planning.finished.connect(self._planned)
         self.planning.failed.connect(self._failed)
-        self.planning.progressed.connect(page.show_progress)
+        self.planning.progressed.connect(page.progress.show_share)
         self.ready = None
         self.accepting = False
         self.place_timer, self.plan_timer = _timer(self._place), _timer(self._plan)
@@ -144,7 +133,8 @@ class TexturePanel(native("operation").TaskPanel):
             self.preview()
 
     def preview(self):
-        """Shows the texture as the properties are now, soon."""
+        """Shows the texture as the properties are now, soon; Apply needs no more, for OK takes the plan that
+        is made for the preview."""
         self.planning.cancel()
         self.page.progress.setVisible(False)
         self.place_timer.start(PLACE_AFTER_MS)
@@ -192,7 +182,7 @@ class TexturePanel(native("operation").TaskPanel):
         self.scene.show({"axes": ready.axes})
         self.page.summary.setText(ready.summary)
         if self.accepting:
-            QtCore.QTimer.singleShot(0, self._finish)  # FreeCAD commits nothing inside its own call of accept
+            QtCore.QTimer.singleShot(0, self._finish)
 
     def _failed(self, error):
         self.accepting = False
@@ -219,17 +209,8 @@ class TexturePanel(native("operation").TaskPanel):
         return False  # _finish closes the dialog
 
     def _finish(self):
-        self.obj.Proxy.ready = self.ready
         self._stop()
-        self.obj.Document.recompute()  # inside the transaction
-        super().accept()
-
-    def clicked(self, button):
-        """Apply needs no work of its own: the preview is the result."""
-        if button == QtGui.QDialogButtonBox.Apply:
-            self.panelGetFields()
-            self.setClean()
-            self.preview()
+        self.close_with(self.ready)
 
     def reject(self, resetEdit=True):
         """Cancel: of the planning that OK waits for, if it does; else of the panel, with all that was made

@@ -4,7 +4,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import _patchmill as core
-from FreeCAD import Qt
+
+from patchmill_gui.widgets import translate
 
 THIN = "\u202f"  # narrow, and lines do not break there
 
@@ -26,7 +27,7 @@ def _counts(counts):
     colours = core.state_colours()
     parts = [
         '<span style="color:rgb(%d,%d,%d)">\u25a0</span>&nbsp;%s:&nbsp;%s'
-        % (*colours[name], Qt.translate("PatchMill", name), grouped(number))
+        % (*colours[name], translate(name), grouped(number))
         for name, number in counts.items()
         if number
     ]
@@ -36,7 +37,7 @@ def _counts(counts):
 def placed_summary(placed):
     """Of a PlacedTexture."""
     counts = dict(placed.dimples.counts())
-    head = Qt.translate("PatchMill", "{} dimples in {} patches").format(
+    head = translate("{} dimples in {} patches").format(
         grouped(counts["cut"]), grouped(len(placed.free or placed.division))
     )
     return "<b>%s</b><br>%s" % (head, _counts(counts))
@@ -48,7 +49,7 @@ def planned_summary(planned):
     turns = statistics["cut_turns"] / max(1, planned.counts["cut"])
     lines = [
         placed_summary(planned),
-        Qt.translate("PatchMill", "{} of milling, {:.2f} turns per dimple").format(
+        translate("{} of milling, {:.2f} turns per dimple").format(
             duration(statistics["timed_seconds"]), turns
         ),
     ]

@@ -9,13 +9,13 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import FreeCAD
 import FreeCADGui
-from FreeCAD import Qt
 from PySide import QtCore, QtGui
 
 from patchmill_gui.background import Background
 from patchmill_gui.operation_base import OperationView
 from patchmill_gui.path_view import show_native_lines
 from patchmill_gui.texture_scene import PARTS, TextureScene, placed_displays, planned_displays
+from patchmill_gui.widgets import translate
 
 DIMPLES, PATH, AXES, RELIEF, NATIVE = SHOWS = (
     "Dimples",
@@ -101,7 +101,7 @@ class ViewProvider(OperationView):
             ("Simulate marks", "PatchMill_Simulate"),
             ("Report", "PatchMill_Report"),
         ):
-            action = QtGui.QAction(Qt.translate("PatchMill", text), menu)
+            action = QtGui.QAction(translate(text), menu)
             action.triggered.connect(lambda *_, name=command: _run_on(vobj.Object, name))
             menu.addAction(action)
 

@@ -52,11 +52,6 @@ def begin(command, part, face, name):
     return operation, driver.panel_of(operation)
 
 
-def accept(panel):
-    panel.accept()
-    assert driver.wait(lambda: not driver.panel_open()), "the panel did not close"
-
-
 def block():
     """The part of the paper, its textured face, and the middle of that."""
     shape = Part.read(resources.path("recipes", "xu2016", "block.step"))
@@ -77,7 +72,7 @@ def textures():
     panel.page.previews["axes"].setChecked(True)
     look_at((-18, -14, 24), 16.0)
     picture("3_order_and_axes")
-    accept(panel)
+    driver.accept(panel)
     look_at((0, 0, 20), 75.0)
     operation.ViewObject.Show = "Tool path"
     picture("4_tool_path")
@@ -151,18 +146,15 @@ def checked(operation):
 
 def milling():
     document, part, _ = block()
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(part)
-    FreeCADGui.runCommand("PatchMill_CopyMilling")
+    driver.run_on(part, "PatchMill_CopyMilling")
     operation = document.getObject("CopyMilling")
     panel = driver.panel_of(operation)
     panel.form_rows.rows["AxialDepth"].editor.setProperty("rawValue", 4.0)
     panel.box.button.click()
     driver.wait(lambda: panel.result is not None or panel.error is not None)
     picture("9_copy_milling")
-    accept(panel)
-    FreeCADGui.Selection.addSelection(operation)
-    FreeCADGui.runCommand("PatchMill_DressupDcm")
+    driver.accept(panel)
+    driver.run_on(operation, "PatchMill_DressupDcm")
     dressup = document.getObject("DressupDCM")
     panel = dressup.ViewObject.Proxy.panel
     panel.form_rows.rows["VoxelSize"].editor.setProperty("rawValue", 0.8)

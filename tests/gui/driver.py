@@ -3,6 +3,8 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import os
+import tempfile
 import time
 import unittest
 
@@ -77,6 +79,69 @@ def select(part, face):
 
 def panel_of(operation):
     return operation.ViewObject.Proxy.panel
+
+
+def begin_texture(part, command="PatchMill_CurvedTexture"):
+    """Selects the part's top face and runs a texture command; (operation, its open panel) once the plan or
+    an error is there."""
+    select(part, top_face(part.Shape))
+    FreeCADGui.runCommand(command)
+    operation = part.Document.getObject(command.replace("PatchMill_", ""))
+    assert ready(panel_of(operation)), "the plan did not come"
+    return operation, panel_of(operation)
+
+
+def accept(panel):
+    """OK, and waits until the panel is closed."""
+    panel.accept()
+    closed = wait(lambda: not panel_open() or panel.error is not None)
+    assert panel.error is None, panel.error
+    assert closed and not panel_open(), "the panel did not close"
+
+
+def run_on(obj, command):
+    """Selects an object and runs a command."""
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(obj)
+    FreeCADGui.runCommand(command)
+
+
+class BlockTest(unittest.TestCase):
+    """With a wavy block in a document of its own for each test; closes what is left open."""
+
+    def setUp(self):
+        self.document, self.part = new_document(wavy_block())
+
+    def tearDown(self):
+        if panel_open():
+            FreeCADGui.Control.closeDialog()
+        FreeCAD.closeDocument(self.document.Name)
+
+    def names(self):
+        return {o.Name for o in self.document.Objects}
+
+    def reopen(self):
+        """Saves the document, closes it and opens it again."""
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "saved.FCStd")
+            self.document.saveAs(name)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(name)
+        rest(0.5)
+
+
+class TexturedTest(unittest.TestCase):
+    """With one document, in which a curved texture is planned, for all tests of the class."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.document, part = new_document(wavy_block())
+        cls.operation, panel = begin_texture(part)
+        accept(panel)
+
+    @classmethod
+    def tearDownClass(cls):
+        FreeCAD.closeDocument(cls.document.Name)
 
 
 def set_quantity(panel, name, value):

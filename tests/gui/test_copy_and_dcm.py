@@ -3,50 +3,26 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import os
-import tempfile
-import unittest
-
-import FreeCAD
 import FreeCADGui
 import driver
 import numpy as np
 from patchmill_gui import tool_paths
 
 
-class CopyAndDcm(unittest.TestCase):
-    def setUp(self):
-        self.document, self.part = driver.new_document(driver.wavy_block())
-
-    def tearDown(self):
-        if driver.panel_open():
-            FreeCADGui.Control.closeDialog()
-        FreeCAD.closeDocument(self.document.Name)
-
-    def names(self):
-        return {o.Name for o in self.document.Objects}
-
+class CopyAndDcm(driver.BlockTest):
     def begin_copy(self):
         driver.select(self.part, driver.top_face(self.part.Shape))
         FreeCADGui.runCommand("PatchMill_CopyMilling")
         operation = self.document.getObject("CopyMilling")
         return operation, driver.panel_of(operation)
 
-    def accept(self, panel):
-        panel.accept()
-        closed = driver.wait(lambda: not driver.panel_open() or panel.error is not None)
-        self.assertIsNone(panel.error)
-        self.assertTrue(closed and not driver.panel_open(), "the panel did not close")
-
     def copy_milled(self):
         operation, panel = self.begin_copy()
-        self.accept(panel)
+        driver.accept(panel)
         return operation
 
     def begin_dcm(self, operation):
-        FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(operation)
-        FreeCADGui.runCommand("PatchMill_DressupDcm")
+        driver.run_on(operation, "PatchMill_DressupDcm")
         dressup = self.document.getObject("DressupDCM")
         return dressup, dressup.ViewObject.Proxy.panel
 
@@ -57,7 +33,7 @@ class CopyAndDcm(unittest.TestCase):
         panel.box.button.click()
         self.assertTrue(driver.wait(lambda: panel.result is not None))
         self.assertTrue(operation.ViewObject.Proxy.scene.filled())
-        self.accept(panel)
+        driver.accept(panel)
         self.assertEqual(operation.State, ["Up-to-date"])
         self.assertAlmostEqual(operation.RadialDepth.Value, 3.0)
         self.assertGreater(operation.Moves, 20)
@@ -90,7 +66,7 @@ class CopyAndDcm(unittest.TestCase):
         self.assertIsNone(panel.error)
         scene = dressup.ViewObject.Proxy.scene.parts
         self.assertTrue(scene.filled("slice") and scene.shown("slice"))
-        self.accept(panel)
+        driver.accept(panel)
         self.assertFalse(scene.shown("slice"))
         path = tool_paths.path_of(dressup)
         lengths = np.linalg.norm(np.diff(np.vstack([[path.start], path.tips]), axis=0), axis=1)
@@ -110,13 +86,8 @@ class CopyAndDcm(unittest.TestCase):
 
     def test_views_are_restored_on_reopening(self):
         dressup, panel = self.begin_dcm(self.copy_milled())
-        self.accept(panel)
-        with tempfile.TemporaryDirectory() as folder:
-            name = os.path.join(folder, "saved.FCStd")
-            self.document.saveAs(name)
-            FreeCAD.closeDocument(self.document.Name)
-            self.document = FreeCAD.openDocument(name)
-        driver.rest(0.3)
+        driver.accept(panel)
+        self.reopen()
         for name, module in (("CopyMilling", "copy_panel"), ("DressupDCM", "dcm_panel")):
             view = self.document.getObject(name).ViewObject.Proxy
             self.assertEqual(type(view).__module__, "patchmill_gui." + module)

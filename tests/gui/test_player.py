@@ -3,31 +3,17 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import unittest
-
-import FreeCAD
 import FreeCADGui
 import driver
 import numpy as np
 from patchmill_gui.player import PlayerPanel, Timeline
 
 
-class Player(unittest.TestCase):
+class Player(driver.TexturedTest):
     @classmethod
     def setUpClass(cls):
-        cls.document, part = driver.new_document(driver.wavy_block())
-        driver.select(part, driver.top_face(part.Shape))
-        FreeCADGui.runCommand("PatchMill_CurvedTexture")
-        cls.operation = cls.document.getObject("CurvedTexture")
-        panel = driver.panel_of(cls.operation)
-        driver.ready(panel)
-        panel.accept()
-        driver.wait(lambda: not driver.panel_open())
+        super().setUpClass()
         cls.path = cls.operation.Proxy.planned.path
-
-    @classmethod
-    def tearDownClass(cls):
-        FreeCAD.closeDocument(cls.document.Name)
 
     def test_at_the_end_of_each_timed_move_the_tool_is_there_with_its_turns(self):
         line = Timeline(self.path)
@@ -42,9 +28,7 @@ class Player(unittest.TestCase):
     def test_the_panel_plays_and_leaves_the_view_as_it_was(self):
         root = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
         before = root.getNumChildren()
-        FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(self.operation)
-        FreeCADGui.runCommand("PatchMill_Play")
+        driver.run_on(self.operation, "PatchMill_Play")
         self.assertTrue(driver.panel_open())
         self.assertEqual(root.getNumChildren(), before + 1)
         FreeCADGui.Control.closeDialog()

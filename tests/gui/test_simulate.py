@@ -3,34 +3,20 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import unittest
+import os
+import tempfile
 
-import FreeCAD
 import FreeCADGui
 import driver
 import numpy as np
 import patchmill
 from patchmill import checks
 from patchmill_gui.check_panel import CheckPanel
+from patchmill_gui.report_panel import ReportPanel
 from patchmill_gui.simulate_panel import SimulatePanel
 
 
-class Simulate(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.document, part = driver.new_document(driver.wavy_block())
-        driver.select(part, driver.top_face(part.Shape))
-        FreeCADGui.runCommand("PatchMill_CurvedTexture")
-        cls.operation = cls.document.getObject("CurvedTexture")
-        panel = driver.panel_of(cls.operation)
-        driver.ready(panel)
-        panel.accept()
-        driver.wait(lambda: not driver.panel_open())
-
-    @classmethod
-    def tearDownClass(cls):
-        FreeCAD.closeDocument(cls.document.Name)
-
+class Simulate(driver.TexturedTest):
     def setUp(self):
         self.root = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
         self.before = self.root.getNumChildren()
@@ -57,9 +43,7 @@ class Simulate(unittest.TestCase):
 
     def test_the_commands_open_their_panels(self):
         for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):
-            FreeCADGui.Selection.clearSelection()
-            FreeCADGui.Selection.addSelection(self.operation)
-            FreeCADGui.runCommand(command)
+            driver.run_on(self.operation, command)
             self.assertTrue(driver.panel_open(), command)
             FreeCADGui.Control.closeDialog()
             driver.rest(0.1)
@@ -76,6 +60,29 @@ class Simulate(unittest.TestCase):
         driver.rest(1.0)
         self.assertIsNone(panel.result)
         panel.reject()
+
+    def report(self, folder):
+        """(panel that has tried to write the report, and is closed; what it said)."""
+        panel = ReportPanel(self.operation, folder)
+        FreeCADGui.Control.showDialog(panel)
+        self.assertTrue(driver.wait(lambda: panel.result is not None or panel.error is not None, 300))
+        said = panel.text.text()
+        panel.reject()
+        self.assertFalse(driver.panel_open())
+        return panel, said
+
+    def test_the_report_is_written_and_linked_or_the_reason_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            _, said = self.report(folder)  # the tool gouges at the block's edges
+            self.assertIn("PostGouging", said)
+            self.assertEqual(os.listdir(folder), [])
+            self.operation.PostGouging = True
+            panel, said = self.report(folder)
+            self.operation.PostGouging = False
+            self.assertIsNone(panel.error)
+            self.assertEqual(sorted(map(os.path.basename, panel.result)), sorted(os.listdir(folder)))
+            (page,) = [name for name in panel.result if name.endswith(".html")]
+            self.assertIn(page, said)
 
     def test_the_check_says_what_it_found_and_marks_it(self):
         panel = CheckPanel(self.operation)

@@ -4,7 +4,6 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import os
-import tempfile
 import unittest
 
 import FreeCAD
@@ -13,38 +12,18 @@ import driver
 from patchmill import host
 from patchmill_gui import examples
 
-COMMANDS = {
-    "PatchMill_PlanarTexture": "PlanarTexture",
-    "PatchMill_PyramidTexture": "PyramidTexture",
-    "PatchMill_CurvedTexture": "CurvedTexture",
-    "PatchMill_CalibrationPatch": "CalibrationPatch",
-}
+COMMANDS = (
+    "PatchMill_PlanarTexture",
+    "PatchMill_PyramidTexture",
+    "PatchMill_CurvedTexture",
+    "PatchMill_CalibrationPatch",
+)
 
 
-class TextureCommands(unittest.TestCase):
-    def setUp(self):
-        self.document, self.part = driver.new_document(driver.wavy_block())
-
-    def tearDown(self):
-        if driver.panel_open():
-            FreeCADGui.Control.closeDialog()
-        FreeCAD.closeDocument(self.document.Name)
-
-    def names(self):
-        return {o.Name for o in self.document.Objects}
-
+class TextureCommands(driver.BlockTest):
     def begin(self, command="PatchMill_CurvedTexture"):
-        """Selects the top face and runs the command; returns (operation, panel) once planned."""
-        driver.select(self.part, driver.top_face(self.part.Shape))
-        FreeCADGui.runCommand(command)
-        operation = self.document.getObject(COMMANDS[command])
-        panel = driver.panel_of(operation)
-        self.assertTrue(driver.ready(panel), "the plan did not come")
-        return operation, panel
-
-    def accept(self, panel):
-        panel.accept()
-        self.assertTrue(driver.wait(lambda: not driver.panel_open()), "the panel did not close")
+        """(operation, panel) of a texture on the top face, once planned."""
+        return driver.begin_texture(self.part, command)
 
     def test_each_command_makes_a_texture_from_a_bare_part(self):
         for command in COMMANDS:
@@ -52,7 +31,7 @@ class TextureCommands(unittest.TestCase):
                 operation, panel = self.begin(command)
                 self.assertIsNone(panel.error)
                 driver.set_quantity(panel, "Spacing", 0.8)
-                self.accept(panel)
+                driver.accept(panel)
                 self.assertEqual(operation.State, ["Up-to-date"])
                 self.assertAlmostEqual(operation.Spacing.Value, 0.8)
                 self.assertGreater(operation.DimpleCount, 50)
@@ -70,7 +49,7 @@ class TextureCommands(unittest.TestCase):
     def test_undo_is_one_step_and_redo_brings_it_back(self):
         before = self.names()
         operation, panel = self.begin()
-        self.accept(panel)
+        driver.accept(panel)
         size, after = operation.Path.Size, self.names()
         self.assertEqual(len(self.document.UndoNames), 1)
         self.document.undo()
@@ -82,14 +61,9 @@ class TextureCommands(unittest.TestCase):
 
     def test_edit_again_after_saving_and_reopening(self):
         operation, panel = self.begin()
-        self.accept(panel)
+        driver.accept(panel)
         count = operation.DimpleCount
-        with tempfile.TemporaryDirectory() as folder:
-            name = os.path.join(folder, "saved.FCStd")
-            self.document.saveAs(name)
-            FreeCAD.closeDocument(self.document.Name)
-            self.document = FreeCAD.openDocument(name)
-        driver.rest(0.5)
+        self.reopen()
         operation = self.document.getObject("CurvedTexture")
         view = operation.ViewObject.Proxy
         self.assertEqual(type(view).__module__, "patchmill_gui.texture_view")
@@ -97,7 +71,7 @@ class TextureCommands(unittest.TestCase):
         panel = driver.panel_of(operation)
         self.assertTrue(driver.ready(panel))
         driver.set_quantity(panel, "Spacing", 1.0)
-        self.accept(panel)
+        driver.accept(panel)
         self.assertLess(operation.DimpleCount, count / 2)
         self.document.undo()
         self.document.recompute()
@@ -105,7 +79,7 @@ class TextureCommands(unittest.TestCase):
 
     def test_cancelled_edit_leaves_the_properties(self):
         operation, panel = self.begin()
-        self.accept(panel)
+        driver.accept(panel)
         operation.ViewObject.Document.setEdit(operation.ViewObject, 0)
         panel = driver.panel_of(operation)
         driver.set_quantity(panel, "Spacing", 1.3)
@@ -121,7 +95,7 @@ class TextureCommands(unittest.TestCase):
         self.assertFalse(scene.shown("dimples"))
         panel.page.previews["order"].setChecked(True)
         self.assertTrue(scene.shown("order"))
-        self.accept(panel)
+        driver.accept(panel)
         driver.rest(0.2)
         for show, part in (("Dimples", "dimples"), ("Tool path", "path"), ("Dimples", "outlines")):
             operation.ViewObject.Show = show
@@ -142,7 +116,7 @@ class TextureCommands(unittest.TestCase):
         rows["PatchSide"].editor.setValue(8)
         self.assertTrue(driver.wait(lambda: panel.error is None and panel.ready_now()))
         self.assertEqual(rows["PatchSide"].error.text(), "")
-        self.accept(panel)
+        driver.accept(panel)
 
     def test_a_proposal_of_the_advisor_is_taken_over_by_one_click(self):
         operation, panel = self.begin("PatchMill_PlanarTexture")
@@ -160,7 +134,7 @@ class TextureCommands(unittest.TestCase):
         advice.buttons[0].click()
         self.assertTrue(driver.ready(panel))
         self.assertIsNone(panel.error)
-        self.accept(panel)
+        driver.accept(panel)
         # to the decimals of the posted feed
         self.assertAlmostEqual(operation.PhaseDrift, 0.0, delta=1e-3)
         self.assertNotIn("drift", operation.MarkArray.lower())

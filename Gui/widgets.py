@@ -1,0 +1,54 @@
+"""Small things that panels are made of: translated texts, labels that wrap, editors that fit FreeCAD's narrow
+panel, a progress bar.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from FreeCAD import Qt
+from PySide import QtGui
+
+ERROR_COLOUR = "#c0392b"
+
+
+def translate(text):
+    """`text` in the language of FreeCAD's interface."""
+    return Qt.translate("PatchMill", text)
+
+
+def let_shrink(editor):
+    """FreeCAD's panel is narrow: a combo box must not be as wide as its longest choice."""
+    for widget in [editor] + editor.findChildren(QtGui.QWidget):
+        widget.setMinimumWidth(30)
+        if isinstance(widget, QtGui.QComboBox):
+            widget.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+
+
+def wrapping_label(text=""):
+    """A label that breaks its text at whatever width the panel has, and asks for none itself."""
+    label = QtGui.QLabel(text)
+    label.setWordWrap(True)
+    label.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
+    return label
+
+
+class ProgressBar(QtGui.QProgressBar):
+    """Shows a share of the work and the time left; hidden until there is something to show."""
+
+    def __init__(self):
+        super().__init__()
+        self.setRange(0, 1000)
+        self.hide()
+
+    def begin(self, known=True):
+        """At nothing done; `known`: false until the first share is known."""
+        self.setRange(0, 1000 if known else 0)
+        self.setValue(0)
+        self.resetFormat()
+        self.show()
+
+    def show_share(self, share, seconds):
+        """`share` of the work is done, 0 to 1; about so many seconds are left."""
+        self.setRange(0, 1000)
+        self.setValue(int(1000 * share))
+        self.setFormat(translate("%p % · {:.0f} s left").format(seconds))
+        self.show()
