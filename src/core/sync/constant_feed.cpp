@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/constant_feed.h"
 
-#include "core/sync/contact_azimuth.h"
 #include "core/sync/fit_length.h"
 #include "core/sync/path_account.h"
+#include "core/sync/planned_dimples.h"
 
 #include <algorithm>
 
@@ -15,50 +15,20 @@ namespace {
 
 constexpr double kGoodFit = 2e-5;  // mm of length: 0.017 degrees at the paper's F and S
 
-struct Planned {
-  Vec3 tip;  // on the decimals
-  Vec3 normal;
-  Angle azimuth;
-  std::int32_t number, patch;
-};
-
-std::vector<Planned> plan(const Dimples& dimples, double radius, const PhaseRule& rule,
-                          const Decimals& decimals) {
-  std::vector<Planned> planned;
-  planned.reserve(dimples.size());
-  for (std::size_t k = 0; k < dimples.size(); ++k) {
-    const Dimple& dimple = dimples[k];
-    if (dimple.state != DimpleState::Cut) continue;
-    const Vec3& n = dimple.surface.normal;
-    const Vec3 centre = dimple.surface.position + (radius - dimple.depth) * n;
-    const Vec3 tip = centre - radius * Vec3::UnitZ();
-    planned.push_back({decimals.round(tip), n, contact_azimuth(dimples, k, rule),
-                       static_cast<std::int32_t>(k), dimple.patch});
-  }
-  if (planned.empty())
-    throw InputError("Dimples", "0",
-                     "every lattice point was left out: see the counts by reason, and change the "
-                     "faces, the limits or the tool axis.");
-  return planned;
-}
-
 // The next place of the helix; over places left out the tool goes at a safe height.
-bool follows(const Planned& a, const Planned& b) {
+bool follows(const PlannedDimple& a, const PlannedDimple& b) {
   return a.patch == b.patch && b.number == a.number + 1;
 }
 
 void require_valid(const ConstantFeed& rule, const BallEndMill& tool, const Spindle& spindle) {
   require_positive("Feed", rule.feed * 60.0, "mm/min");
-  require_positive("SpindleSpeed", spindle.speed * 60.0, "rpm");
-  require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
+  require_turning_tool(tool, spindle);
   require_valid(rule.phase, tool.flutes);
-  if (!(rule.clearance_height >= rule.safe_height))
-    throw InputError("ClearanceHeight", fmt::format("{} mm", rule.clearance_height),
-                     fmt::format("give at least the safe height, {} mm.", rule.safe_height));
+  require_heights(rule.safe_height, rule.clearance_height);
 }
 
-void step(PathAccount& build, const Planned& a, const Planned& b, double turns, double feed,
-          double turns_per_mm, const Decimals& decimals) {
+void step(PathAccount& build, const PlannedDimple& a, const PlannedDimple& b, double turns,
+          double feed, double turns_per_mm, const Decimals& decimals) {
   const double length = build.length_for(turns), distance = (b.tip - a.tip).norm();
   if (length < distance)
     throw InputError(
@@ -90,18 +60,17 @@ Vec3 apex(const Vec3& a, const Vec3& b, const Vec3& up, double length) {
 ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
                             const ConstantFeed& rule, const Decimals& decimals) {
   require_valid(rule, tool, spindle);
-  const std::vector<Planned> planned = plan(dimples, tool.radius, rule.phase, decimals);
+  const std::vector<PlannedDimple> planned =
+      planned_dimples(dimples, tool.radius, rule.phase, decimals);
+  if (planned.empty())
+    throw InputError("Dimples", "0",
+                     "every lattice point was left out: see the counts by reason, and change the "
+                     "faces, the limits or the tool axis.");
   const double feed = posted_feed(rule.feed, decimals);
   require_positive("Feed", feed * 60.0, "mm/min after rounding");
   const double turns_per_mm = spindle.speed / feed;
   const double period = phase_period(tool.flutes, rule.phase.flutes).turns();
-  for (const Planned& p : planned)
-    if (p.tip.z() > rule.safe_height)
-      throw InputError(
-          "SafeHeight", fmt::format("{} mm", rule.safe_height),
-          fmt::format("the tool tip is at Z {:.3f} mm on dimple {}: give a greater safe "
-                      "height.",
-                      p.tip.z(), p.number));
+  require_below(rule.safe_height, planned, 0.0);
 
   ToolPath path{tool, spindle, {}, {}};
   std::size_t links = 0;  // of three moves each; others have two
@@ -110,7 +79,7 @@ ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, con
   PathAccount build(path, turns_per_mm, rule.safe_height);
   build.begin(planned.front().tip, planned.front().number, rule.clearance_height, decimals);
   for (std::size_t i = 1; i < planned.size(); ++i) {
-    const Planned &a = planned[i - 1], &b = planned[i];
+    const PlannedDimple &a = planned[i - 1], &b = planned[i];
     const double turns = spindle_advance(a.azimuth, b.azimuth, rule.phase, tool, spindle).turns();
     if (follows(a, b))
       step(build, a, b, turns, feed, turns_per_mm, decimals);

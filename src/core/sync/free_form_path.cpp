@@ -4,6 +4,7 @@
 
 #include "core/sync/contact_azimuth.h"
 #include "core/sync/path_account.h"
+#include "core/sync/planned_dimples.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,8 +15,7 @@ namespace {
 void require_valid(const FreeTexture& texture, const BallEndMill& tool, const Spindle& spindle,
                    const ConstantFeed& rule) {
   require_positive("Feed", rule.feed * 60.0, "mm/min");
-  require_positive("SpindleSpeed", spindle.speed * 60.0, "rpm");
-  require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
+  require_turning_tool(tool, spindle);
   require_in_range("Flutes", tool.flutes, 1, 100, "flutes");
   require_in_range("ExtraTurns", rule.phase.extra_turns, 0.0, 0.0, "turns in the free form");
   if (rule.phase.flutes == FluteChoice::Same && tool.flutes > 1)
@@ -24,9 +24,7 @@ void require_valid(const FreeTexture& texture, const BallEndMill& tool, const Sp
   if (!(std::abs(f_z / texture.patch.feed_per_tooth - 1.0) < 1e-6))
     throw InputError("FeedPerTooth", fmt::format("{} mm", texture.patch.feed_per_tooth),
                      fmt::format("the feed makes {:.6g} mm a tooth: give the same.", f_z));
-  if (!(rule.clearance_height >= rule.safe_height))
-    throw InputError("ClearanceHeight", fmt::format("{} mm", rule.clearance_height),
-                     fmt::format("give at least the safe height, {} mm.", rule.safe_height));
+  require_heights(rule.safe_height, rule.clearance_height);
 }
 
 // Tips of a vertical tool over the helix of one patch.

@@ -4,7 +4,7 @@
 
 #include "core/geometry/error.h"
 #include "core/machine/corner_blend.h"
-#include "core/sync/contact_azimuth.h"
+#include "core/sync/planned_dimples.h"
 #include "core/sync/turnaround.h"
 
 #include <algorithm>
@@ -20,12 +20,6 @@ constexpr double kFinestRounding = 1e-6;  // mm, G64 P with six decimals
 constexpr double kCoarsestRow = 5e-4;     // mm of rounding that a row may have on a dimple
 constexpr double kLongestStep = 2.5;      // a step longer than this times the shortest is a gap
 
-struct Planned {
-  Vec3 tip, normal;
-  Angle azimuth;
-  std::int32_t number, patch;
-};
-
 // From a dimple to the next one.
 struct Step {
   Vec3 direction;
@@ -37,8 +31,7 @@ void require_valid(const PacedRule& rule, std::size_t dimples, const BallEndMill
                    const Spindle& spindle, const MotionModel& model) {
   require_valid(model);
   require_valid(rule.phase, tool.flutes);
-  require_positive("SpindleSpeed", spindle.speed * 60.0, "rpm");
-  require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
+  require_turning_tool(tool, spindle);
   require_positive("Lift", rule.lift, "mm");
   require_in_range("ExtraTurns", rule.phase.extra_turns, 0.0, 0.0, "turns on a paced path");
   if (!rule.turning.empty() && rule.turning.size() != dimples)
@@ -52,27 +45,7 @@ void require_valid(const PacedRule& rule, std::size_t dimples, const BallEndMill
     throw InputError("SpindleLock", "no",
                      "the machine file says that this controller cannot follow the spindle: use "
                      "the feed-per-move strategy, or set the machine's spindle lock if it can.");
-  if (!(rule.clearance_height >= rule.safe_height))
-    throw InputError("ClearanceHeight", fmt::format("{} mm", rule.clearance_height),
-                     fmt::format("give at least the safe height, {} mm.", rule.safe_height));
-}
-
-std::vector<Planned> plan(const Dimples& dimples, double radius, const PhaseRule& rule,
-                          const Decimals& decimals) {
-  std::vector<Planned> planned;
-  for (std::size_t k = 0; k < dimples.size(); ++k) {
-    if (dimples[k].state != DimpleState::Cut) continue;
-    const Vec3& n = dimples[k].surface.normal;
-    const Vec3 centre = dimples[k].surface.position + (radius - dimples[k].depth) * n;
-    const Vec3 tip = centre - radius * Vec3::UnitZ();
-    planned.push_back({decimals.round(tip), n, contact_azimuth(dimples, k, rule),
-                       static_cast<std::int32_t>(k), dimples[k].patch});
-  }
-  if (planned.size() < 2)
-    throw InputError("Dimples", fmt::format("{}", planned.size()),
-                     "a paced path needs two dimples at least: see the counts of those left out, "
-                     "and change the faces, the limits or the tool axis.");
-  return planned;
+  require_heights(rule.safe_height, rule.clearance_height);
 }
 
 // Nearest to one tooth: in [M/2, 3M/2).
@@ -80,12 +53,12 @@ double row_turns(double advance, double period) {
   return advance < 0.5 * period ? advance + period : advance;
 }
 
-std::vector<Step> steps_between(const std::vector<Planned>& planned, const PacedRule& rule,
+std::vector<Step> steps_between(const std::vector<PlannedDimple>& planned, const PacedRule& rule,
                                 const BallEndMill& tool, const Spindle& spindle) {
   const double period = phase_period(tool.flutes, rule.phase.flutes).turns();
   std::vector<Step> steps;
   for (std::size_t i = 0; i + 1 < planned.size(); ++i) {
-    const Planned &a = planned[i], &b = planned[i + 1];
+    const PlannedDimple &a = planned[i], &b = planned[i + 1];
     const Vec3 way = b.tip - a.tip;
     const double length = way.norm();
     if (!(length > 0.0))
@@ -100,7 +73,7 @@ std::vector<Step> steps_between(const std::vector<Planned>& planned, const Paced
 
 class Builder {
  public:
-  Builder(const std::vector<Planned>& planned, const std::vector<Step>& steps,
+  Builder(const std::vector<PlannedDimple>& planned, const std::vector<Step>& steps,
           const PacedRule& rule, const BallEndMill& tool, const Spindle& spindle,
           const MotionModel& model, const Decimals& decimals)
       : planned_(planned),
@@ -266,7 +239,7 @@ class Builder {
     rapid({top.x(), top.y(), rule_.clearance_height});
   }
 
-  const std::vector<Planned>& planned_;
+  const std::vector<PlannedDimple>& planned_;
   const std::vector<Step>& steps_;
   const PacedRule& rule_;
   const Spindle& spindle_;
@@ -284,13 +257,9 @@ class Builder {
   PacedPath result_;
 };
 
-}  // namespace
-
-PacedPath paced_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
-                     const PacedRule& rule, const MotionModel& model, const Decimals& decimals) {
-  require_valid(rule, dimples.size(), tool, spindle, model);
-  const std::vector<Planned> planned = plan(dimples, tool.radius, rule.phase, decimals);
-  const std::vector<Step> steps = steps_between(planned, rule, tool, spindle);
+// One tooth per dimple must not be faster than the axes.
+void require_reachable(const std::vector<PlannedDimple>& planned, const std::vector<Step>& steps,
+                       const Spindle& spindle, const MotionModel& model) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const double limit = velocity_along(model, steps[i].direction);
     const double speed = steps[i].pitch() * spindle.speed;
@@ -300,13 +269,22 @@ PacedPath paced_path(const Dimples& dimples, const BallEndMill& tool, const Spin
                                    "more than {:.0f} rpm.",
                                    speed, 60.0 * spindle.speed * limit / speed));
   }
-  for (const Planned& p : planned)
-    if (p.tip.z() + rule.lift > rule.safe_height)
-      throw InputError(
-          "SafeHeight", fmt::format("{} mm", rule.safe_height),
-          fmt::format("the tool tip is at Z {:.3f} mm on dimple {}: give a greater safe "
-                      "height.",
-                      p.tip.z(), p.number));
+}
+
+}  // namespace
+
+PacedPath paced_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
+                     const PacedRule& rule, const MotionModel& model, const Decimals& decimals) {
+  require_valid(rule, dimples.size(), tool, spindle, model);
+  const std::vector<PlannedDimple> planned =
+      planned_dimples(dimples, tool.radius, rule.phase, decimals);
+  if (planned.size() < 2)
+    throw InputError("Dimples", fmt::format("{}", planned.size()),
+                     "a paced path needs two dimples at least: see the counts of those left out, "
+                     "and change the faces, the limits or the tool axis.");
+  const std::vector<Step> steps = steps_between(planned, rule, tool, spindle);
+  require_reachable(planned, steps, spindle, model);
+  require_below(rule.safe_height, planned, rule.lift);
   return Builder(planned, steps, rule, tool, spindle, model, decimals).build();
 }
 
