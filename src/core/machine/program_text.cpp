@@ -22,47 +22,6 @@ bool bare_numbers(Dialect dialect) {
 
 }  // namespace
 
-DialectWords words_of(const ProgramStyle& style) {
-  switch (style.dialect) {
-    case Dialect::Fanuc:
-      return {"G21\nG17 G40 G49 G80 G90 G94",
-              "M5\nG49\nM30",
-              "G43.4 H{tool}",
-              "G49",
-              "G93",
-              "G94",
-              "G61",
-              "G64"};
-    case Dialect::Siemens:
-      return {"G17 G40 G54 G90 G94 G710",
-              "M5\nG64\nM30",
-              "TRAORI\nORIMKS ORIAXES",
-              "TRAFOOF",
-              "G93",
-              "G94",
-              "G60",
-              "G64"};
-    case Dialect::Heidenhain:
-      return {"", "M5\nM30", "M128", "M129", "", "", "", ""};
-    case Dialect::LinuxCnc:
-      break;
-  }
-  return {"G17 G54 G40 G49 G80 G90 G94\nG21",
-          "M5\nG61\nG17 G54 G90 G80 G40\nM2",
-          "M428",
-          "M429",
-          "G93",
-          "G94",
-          "G61",
-          "G64"};
-}
-
-std::string with_number(std::string text, int tool) {
-  const std::size_t at = text.find("{tool}");
-  if (at != std::string::npos) text.replace(at, 6, std::to_string(tool));
-  return text;
-}
-
 void append_fixed(std::string& text, double value, int decimals, bool plus) {
   static constexpr std::int64_t kPower[] = {1, 10, 100, 1000, 10000, 100000, 1000000};
   const std::int64_t scale = kPower[decimals];

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/geometry/vec.h"
+#include "core/machine/dialect_text.h"
 #include "core/machine/program_writer.h"
 
 #include <array>
@@ -11,22 +11,7 @@
 
 namespace patchmill {
 
-/// The fixed words of a dialect. "{tool}" in a text is the tool's number.
-struct DialectWords {
-  std::string preamble, postamble;  ///< lines
-  std::string tcp_on, tcp_off, inverse, per_minute, exact_stop;
-  std::string
-      rounding;  ///< path mode that rounds corners, where it has no tolerance word of its own
-};
-DialectWords words_of(const ProgramStyle& style);
-std::string with_number(std::string text, int tool);
-
 enum class Motion : std::uint8_t { Rapid, Feed, Locked };
-
-struct LeadWord {
-  char letter = 'K';
-  double value = 0.0;
-};
 
 struct MoveBlock {
   Motion motion = Motion::Rapid;

@@ -3,6 +3,7 @@
 #include "core/machine/program_writer.h"
 
 #include "core/geometry/error.h"
+#include "core/machine/path_block.h"
 #include "core/machine/program_text.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace {
 class Writer {
  public:
   explicit Writer(const ProgramStyle& style)
-      : style_(style), out_(style), words_(words_of(style)) {}
+      : style_(style), out_(style), words_(words_of(style.dialect)) {}
 
   std::string write(const std::vector<std::string>& texts) {
     out_.begin();
@@ -38,46 +39,21 @@ class Writer {
   }
 
  private:
-  struct Block {
-    std::string_view text;
-    long number = 0;
-    int g = -1;  // tenths
-    int m = -1;
-    std::array<double, 26> value{};
-    std::array<bool, 26> has{};
-    bool gives(char letter) const { return has[static_cast<std::size_t>(letter - 'A')]; }
-    double get(char letter) const { return value[static_cast<std::size_t>(letter - 'A')]; }
-  };
-
-  [[noreturn]] void refuse(const Block& block, const std::string& remedy) const {
-    throw InputError("Path", "'" + std::string(block.text) + "'", remedy);
-  }
-
   void one_line(std::string_view text, long number) {
     if (text.empty()) return;
     if (text[0] == '(') {
       if (style_.comments) out_.comment(text.substr(1, text.size() - (text.back() == ')' ? 2 : 1)));
       return;
     }
-    Block block;
-    block.text = text;
-    block.number = number;
-    for (const GcodeWord& w : gcode_words(text, number)) {
-      if (w.letter == 'G')
-        block.g = static_cast<int>(w.value * 10.0 + 0.5);
-      else if (w.letter == 'M')
-        block.m = static_cast<int>(w.value + 0.5);
-      block.value[static_cast<std::size_t>(w.letter - 'A')] = w.value;
-      block.has[static_cast<std::size_t>(w.letter - 'A')] = true;
-    }
+    const PathBlock block = path_block(text, number);
     if (block.m >= 0) return machine_word(block);
     if (block.g == 0 || block.g == 10 || block.g == 330) return move(block);
     if (block.g >= 0) return preparatory(block);
     if (block.gives('S') || block.gives('T') || block.gives('F')) return;  // given where it counts
-    refuse(block, "no G or M word: this block is not written.");
+    refuse_block(block, "no G or M word: this block is not written.");
   }
 
-  void machine_word(const Block& block) {
+  void machine_word(const PathBlock& block) {
     if (block.m == 3 || block.m == 4) {
       if (block.gives('S')) speed_ = block.get('S');
       return start_spindle(block.m);
@@ -104,7 +80,7 @@ class Writer {
     out_.forget();
   }
   /// TCP off, stop, change; the spindle starts after it.
-  void tool_change(const Block& block) {
+  void tool_change(const PathBlock& block) {
     tcp(false);
     const int tool = block.gives('T') ? static_cast<int>(block.get('T')) : 0;
     tool_ = tool;
@@ -172,7 +148,7 @@ class Writer {
     if (m.given[2]) out_.move(part);
   }
 
-  void preparatory(const Block& block) {
+  void preparatory(const PathBlock& block) {
     if (block.g == 930 || block.g == 940) {
       const bool inverse = block.g == 930;
       if (inverse != inverse_ && style_.dialect != Dialect::Heidenhain)
@@ -183,27 +159,23 @@ class Writer {
     if (block.g == 434) return tcp(true);
     if (block.g == 490 && (tcp_ || pending_tcp_)) return tcp(false);
     if (block.g == 610) return path_mode(words_.exact_stop);
-    if (block.g == 640) return path_mode(rounding(block));
-    if (block.g == 40) return dwell(block);
+    if (block.g == 640)
+      return path_mode(rounding_text(style_.dialect, block.gives('P') ? block.get('P') : 0.0));
+    if (block.g == 40) return out_.lines(dwell_text(style_.dialect, block.get('P')));
     if (style_.dialect == Dialect::Heidenhain || style_.dialect == Dialect::Siemens) {
       // states that the preamble sets; work offsets are chosen at the control
       if (block.g == 170 || block.g == 210 || block.g == 400 || block.g == 430 || block.g == 490 ||
           block.g == 800 || block.g == 900 || (block.g >= 540 && block.g <= 590))
         return;
-      refuse(block, fmt::format("{} has no such block here: post cycles and arcs with another "
-                                "post-processor.",
-                                name(style_.dialect)));
+      refuse_block(block,
+                   fmt::format("{} has no such block here: post cycles and arcs with another "
+                               "post-processor.",
+                               name(style_.dialect)));
     }
     out_.plain(block.g, [&](char letter, double& value) {
       value = letter == 'F' ? 60.0 * block.get(letter) : block.get(letter);
       return block.gives(letter);
     });
-  }
-  std::string rounding(const Block& block) const {
-    const double within = block.gives('P') ? block.get('P') : 0.0;
-    if (style_.dialect == Dialect::LinuxCnc) return fmt::format("G64 P{:.6f} Q0", within);
-    if (style_.dialect == Dialect::Siemens) return fmt::format("G641 ADIS={:.6f}", within);
-    return words_.rounding;
   }
   void path_mode(const std::string& word) {
     if (word.empty() || word == path_mode_) return;
@@ -211,20 +183,8 @@ class Writer {
     out_.line(word);
     out_.forget_word();
   }
-  void dwell(const Block& block) {
-    if (style_.dialect == Dialect::Heidenhain) {
-      out_.line("CYCL DEF 9.0 DWELL TIME");
-      return out_.line(fmt::format("CYCL DEF 9.1 DWELL {:.3f}", block.get('P')));
-    }
-    const char letter = style_.dialect == Dialect::Siemens ? 'F' : 'P';
-    const double seconds = block.get('P');
-    // Fanuc's P is in milliseconds
-    if (style_.dialect == Dialect::Fanuc)
-      return out_.line(fmt::format("G4 P{:.0f}", 1e3 * seconds));
-    out_.line(fmt::format("G4 {}{:.3f}", letter, seconds));
-  }
 
-  void move(const Block& block) {
+  void move(const PathBlock& block) {
     MoveBlock m;
     m.motion = block.g == 0 ? Motion::Rapid : block.g == 10 ? Motion::Feed : Motion::Locked;
     Vec3 way = Vec3::Zero();
@@ -243,8 +203,10 @@ class Writer {
     m.feed = feed_;
     m.inverse = inverse_;
     if (m.motion == Motion::Feed && inverse_ && !block.gives('F'))
-      refuse(block, "in inverse time (G93) every G1 needs its F.");
-    if (m.motion == Motion::Locked) m.lead = lead(block, way, turned);
+      refuse_block(block, "in inverse time (G93) every G1 needs its F.");
+    if (m.motion == Motion::Locked && !block.gives('K'))
+      refuse_block(block, "G33 needs its K word.");
+    if (m.motion == Motion::Locked) m.lead = lead_word(style_.dialect, block.get('K'), way, turned);
     // before the first tool a program has no length to go by: FreeCAD's rapid to the clearance is left to
     // the operator, who retracts
     if (!called_ && m.motion == Motion::Rapid && style_.dialect != Dialect::LinuxCnc) return;
@@ -265,26 +227,6 @@ class Writer {
   /// The feed before if this one is off by no more than the digits of F in inverse time.
   static double near(double feed, double before) {
     return std::abs(feed - before) <= kSameFeed * feed ? before : feed;
-  }
-  LeadWord lead(const Block& block, const Vec3& way, bool turned) const {
-    if (!block.gives('K')) refuse(block, "G33 needs its K word.");
-    const double pitch = block.get('K');
-    if (style_.dialect == Dialect::LinuxCnc) return {'K', pitch};
-    if (style_.dialect == Dialect::Heidenhain)
-      throw InputError(
-          "Strategy", "Spindle-locked",
-          "Heidenhain's plain text has no block that follows the spindle: use feed per "
-          "move or constant feed.");
-    if (turned)
-      throw InputError(
-          "Strategy", "Spindle-locked",
-          fmt::format("a rotary axis turns in a G33 block, which {} cannot: keep one tool "
-                      "axis for the whole texture, or use feed per move.",
-                      name(style_.dialect)));
-    Eigen::Index most = 0;
-    const double longest = way.cwiseAbs().maxCoeff(&most), length = way.norm();
-    const double along = length > 0.0 ? pitch * longest / length : pitch;
-    return {style_.dialect == Dialect::Fanuc ? 'F' : "IJK"[most], along};
   }
 
   static constexpr std::string_view kAxes = "XYZABC";
