@@ -185,6 +185,20 @@ class Post(Command):
             say(translate("{} was written, read back and holds the plan.").format(name))
 
 
+class Machines(Command):
+    NAME = "PatchMill_Machines"
+    TEXT = QT_TRANSLATE_NOOP("PatchMill_Machines", "Machines …")
+    TIP = QT_TRANSLATE_NOOP("PatchMill_Machines", "Limits, rotary axes and controller of your machines")
+
+    def IsActive(self):
+        return True
+
+    def run(self):
+        from patchmill_gui import machine_editor
+
+        machine_editor.show()
+
+
 TEXTURES = (PlanarTexture, PyramidTexture, CurvedTexture)
 COMMANDS = TEXTURES + (
     CalibrationPatch,
@@ -195,6 +209,7 @@ COMMANDS = TEXTURES + (
     Check,
     Report,
     Post,
+    Machines,
 )
 
 

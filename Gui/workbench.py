@@ -23,7 +23,7 @@ def toolbar():
         + ["PatchMill_CalibrationPatch", "PatchMill_CopyMilling", "PatchMill_DressupDcm", SEPARATOR]
         + ["PatchMill_Play", "PatchMill_Simulate"]
         + ["PatchMill_Check", "PatchMill_Post", "PatchMill_Report", SEPARATOR]
-        + ["PatchMill_Examples"]
+        + ["PatchMill_Machines", "PatchMill_Examples"]
     )
 
 

@@ -11,7 +11,7 @@ import driver
 import FreeCAD
 import FreeCADGui
 import Part
-from patchmill_gui import resources
+from patchmill_gui import machine_editor, resources
 from pivy import coin
 from PySide import QtCore, QtGui
 
@@ -179,8 +179,16 @@ def preferences():
     FreeCADGui.showPreferences("PatchMill", 0)
 
 
+def machine():
+    window = machine_editor.show("table-table-ac")
+    driver.rest(0.5)
+    save(window.grab(), "12_machines")
+    window.close()
+
+
 def main():
     textures()
     milling()
     preferences()
+    machine()
     return 0

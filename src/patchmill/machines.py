@@ -10,6 +10,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import json
 import math
 import os
+import re
 from dataclasses import dataclass
 
 import _patchmill as core
@@ -17,6 +18,8 @@ import FreeCAD
 from _patchmill import InputError
 
 from patchmill import machine_schema
+
+KEY = r"[A-Za-z0-9][A-Za-z0-9._-]*"
 
 
 @dataclass
@@ -84,6 +87,19 @@ def names():
     return sorted(found)
 
 
+def own(key):
+    """Whether the user has a file of that key, which then stands before a shipped one."""
+    return os.path.isfile(os.path.join(user_folder(), key + ".json"))
+
+
+def remove(key):
+    """Takes away the user's own file of that key; a shipped one of the same name shows again. Raises
+    InputError where there is none."""
+    if not own(key):
+        raise InputError("Machine", key, "only your own machine files can be taken away.")
+    os.remove(os.path.join(user_folder(), key + ".json"))
+
+
 def load(key):
     """The Machine of that key. Raises InputError naming the place in the file that is wrong."""
     for folder in (user_folder(), shipped_folder()):
@@ -138,6 +154,8 @@ def store_start_phase(key, degrees):
 def save(key, data):
     """Writes a machine file into the user's folder, if it is sound; returns its path. Raises InputError
     naming the place in it that is wrong, and then leaves the old file as it is."""
+    if not re.fullmatch(KEY, key):
+        raise InputError("Machine", key, "use letters, digits, points, dashes and underscores for its name.")
     checked(json.dumps(data), key)
     folder = user_folder()
     os.makedirs(folder, exist_ok=True)

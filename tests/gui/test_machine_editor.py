@@ -1,0 +1,82 @@
+"""The window of machine files: a value typed, saved in the user's folder, refused by its row, taken away again.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import os
+import tempfile
+import unittest
+from unittest import mock
+
+import driver
+import FreeCADGui
+from patchmill import machines
+from PySide import QtGui
+
+ACCELERATION = ("linear_axes", "acceleration_mm_s2")
+
+
+class EditsMachines(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        patch = mock.patch.dict(os.environ, PATCHMILL_MACHINES=folder.name)
+        patch.start()
+        self.addCleanup(patch.stop)
+        FreeCADGui.activateWorkbench("PatchMillWorkbench")
+        FreeCADGui.runCommand("PatchMill_Machines")
+        FreeCADGui.runCommand("PatchMill_Machines")  # a second click brings the same window to the front
+        driver.rest(0.1)
+        dialogs = FreeCADGui.getMainWindow().findChildren(QtGui.QDialog)
+        (self.editor,) = [d for d in dialogs if hasattr(d, "show_machine") and d.isVisible()]
+        self.addCleanup(self.close)
+
+    def close(self):
+        self.editor.changed = False
+        self.editor.close()
+        driver.rest(0.1)
+
+    def choose(self, key):
+        self.editor.choice.setCurrentText(key)
+        self.editor.choice.activated.emit(self.editor.choice.currentIndex())
+
+    def type(self, place, text):
+        self.editor.items[place].setText(1, text)
+
+    def test_a_value_is_saved_in_the_users_folder(self):
+        self.choose("linuxcnc-mill")
+        self.assertFalse(self.editor.buttons["save"].isEnabled())
+        self.type(ACCELERATION, "850")
+        self.editor.buttons["save"].click()
+        self.assertEqual(machines.load("linuxcnc-mill").model.acceleration, 850.0)
+        self.assertEqual(self.editor.message.text(), "")
+        self.assertTrue(self.editor.buttons["remove"].isEnabled())
+        self.editor.buttons["remove"].click()
+        self.assertEqual(machines.load("linuxcnc-mill").model.acceleration, 2000.0)
+
+    def test_a_wrong_value_is_refused_at_its_row(self):
+        self.choose("table-table-ac")
+        place = ("rotary_axes", "1", "direction")
+        self.type(place, "1 0 0")
+        self.editor.buttons["save"].click()
+        self.assertIn("/rotary_axes/1/direction", self.editor.message.text())
+        self.assertIs(self.editor.tree.currentItem(), self.editor.items[place])
+        self.assertFalse(machines.own("table-table-ac"))
+
+    def test_a_choice_and_a_copy(self):
+        self.choose("table-table-ac")
+        item = self.editor.items[("controller", "dialect")]
+        self.editor.tree.itemWidget(item, 1).setCurrentText("fanuc")
+        self.assertTrue(self.editor.save("ours"))
+        self.assertEqual(self.editor.choice.currentText(), "ours")
+        self.assertEqual(machines.load("ours").controller["dialect"], "fanuc")
+        self.assertEqual(machines.load("table-table-ac").controller["dialect"], "linuxcnc")
+
+    def test_a_name_that_is_no_file_name_is_refused(self):
+        self.choose("linuxcnc-mill")
+        self.assertFalse(self.editor.save("../ours"))
+        self.assertIn("letters", self.editor.message.text())
+
+
+def main():
+    return driver.run_tests(EditsMachines)
