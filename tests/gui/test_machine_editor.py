@@ -1,4 +1,4 @@
-"""The window of machine files: a value typed, saved in the user's folder, refused by its row, taken away again.
+"""The window of machine files: a value typed, saved in the user's folder, refused by its row, taken away.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
