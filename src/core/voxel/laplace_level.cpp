@@ -68,7 +68,7 @@ void smooth_brick(LaplaceLevel& level, std::size_t brick, SweepOrder order, bool
   alignas(64) float diagonal[kBrickCells], inverse[kBrickCells];
   load_diagonal(level, brick, diagonal);
   invert(diagonal, inverse);
-  for (std::size_t f = 0; f < level.x.size(); ++f) {
+  for (const std::size_t f : level.live) {
     Halo halo;
     float* x = level.x[f].data();
     if (zero_own)
@@ -114,7 +114,7 @@ void restrict_residual(const LaplaceLevel& fine, LaplaceLevel& coarse) {
     alignas(64) float diagonal[kBrickCells], residual[kBrickCells];
     load_diagonal(fine, brick, diagonal);
     const CoarseOctant up = octant_of(*fine.table, *coarse.table, brick);
-    for (std::size_t f = 0; f < fine.x.size(); ++f) {
+    for (const std::size_t f : fine.live) {
       Halo halo;
       load_halo(fine.x[f].data(), *fine.table, brick, halo);
       brick_residual(halo.value, fine.b[f].data() + brick * kBrickCells, diagonal, residual);
@@ -136,7 +136,7 @@ void prolong_correction(const LaplaceLevel& coarse, LaplaceLevel& fine) {
     alignas(64) float diagonal[kBrickCells];
     load_diagonal(fine, brick, diagonal);
     const CoarseOctant up = octant_of(*fine.table, *coarse.table, brick);
-    for (std::size_t f = 0; f < fine.x.size(); ++f) {
+    for (const std::size_t f : fine.live) {
       const float* from = coarse.x[f].data() + up.brick * kBrickCells + up.first;
       float* x = fine.x[f].data() + brick * kBrickCells;
       for (int k = 0; k < kBrickSide; ++k)
@@ -164,11 +164,27 @@ void v_cycle(std::vector<LaplaceLevel>& levels) {
   }
 }
 
+namespace {
+
+constexpr std::size_t kSideBySide = std::size_t{1} << 30;  // bytes
+
+// Residual, direction and preconditioned residual of the finest level; x and b of the others, an eighth of
+// the cells each, and of partly filled bricks a little more.
+std::size_t bytes_of_fields(std::size_t bricks, int fields) {
+  const std::size_t cells = bricks * std::size_t{kBrickCells};
+  return sizeof(float) * fields * (3 * cells + 2 * cells / 6);
+}
+
+}  // namespace
+
+int fields_at_once(std::size_t bricks, int fields) {
+  return bytes_of_fields(bricks, fields) <= kSideBySide ? fields : 1;
+}
+
 std::size_t laplace_bytes(std::size_t bricks, int fields) {
   const std::size_t cells = bricks * std::size_t{kBrickCells};
-  const std::size_t finest = cells * (1 + 3 * sizeof(float) * fields);  // faces; r, z, p
-  const std::size_t coarser = cells / 7 * (sizeof(float) * (2 * fields + 1) + 5);
-  return finest + coarser;
+  const std::size_t diagonals = cells + cells / 6 * (sizeof(float) + 5);  // and what makes them
+  return diagonals + bytes_of_fields(bricks, fields_at_once(bricks, fields));
 }
 
 }  // namespace patchmill

@@ -36,6 +36,7 @@ struct LaplaceLevel {
   std::vector<std::uint8_t> faces;       ///< finest level: the diagonal, 0 where not unknown
   std::vector<float> diagonal;           ///< coarser levels: the diagonal, 0 where not unknown
   std::vector<std::vector<float>> x, b;  ///< per field; on the finest level the CG's z and r
+  std::vector<std::size_t> live;         ///< the fields that are worked on, ascending
   std::vector<std::int32_t> checker[2];  ///< brick numbers, by parity of their place
 };
 
@@ -64,7 +65,6 @@ void v_cycle(std::vector<LaplaceLevel>& levels);
 void load_diagonal(const LaplaceLevel& level, std::size_t brick, float* diagonal);
 
 /// Where the 4 x 4 x 4 parents of a brick's cells are: the coarse brick and the first index in it.
-// it.
 struct CoarseOctant {
   std::size_t brick;
   int first;
@@ -75,6 +75,10 @@ inline CoarseOctant octant_of(const BrickTable& fine, const BrickTable& coarse, 
   return {static_cast<std::size_t>(up),
           in_brick(4 * (p.x() % 2), 4 * (p.y() % 2), 4 * (p.z() % 2))};
 }
+
+/// Fields that are solved side by side: all, unless what they need would be more than a GiB; then one after
+/// the other, in the same arrays. Each field's result is the same either way, to the last bit.
+int fields_at_once(std::size_t bricks, int fields);
 
 /// Bytes that a solve of `fields` fields takes, for `bricks` stored bricks, besides the solution.
 std::size_t laplace_bytes(std::size_t bricks, int fields);

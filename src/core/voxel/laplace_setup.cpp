@@ -10,8 +10,11 @@ namespace {
 
 void allocate(LaplaceLevel& level, int fields) {
   const std::size_t n = level.table->cell_count();
-  level.x.assign(fields, std::vector<float>(n, 0.0f));
-  level.b.assign(fields, std::vector<float>(n, 0.0f));
+  level.x.resize(fields);
+  level.b.resize(fields);
+  for (auto& values : level.x) values.assign(n, 0.0f);  // in place: no copy beside it
+  for (auto& values : level.b) values.assign(n, 0.0f);
+  for (int f = 0; f < fields; ++f) level.live.push_back(static_cast<std::size_t>(f));
   for (std::size_t i = 0; i < level.table->size(); ++i)
     level.checker[level.table->place[i].sum() & 1].push_back(static_cast<std::int32_t>(i));
 }

@@ -4,9 +4,12 @@
 
 #include "core/geometry/error.h"
 #include "core/voxel/brick_halo.h"
+#include "core/voxel/laplace_kernels.h"
 #include "core/voxel/reach.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include <tbb/parallel_for.h>
@@ -14,165 +17,151 @@
 namespace patchmill {
 namespace {
 
-using Fields = std::vector<std::vector<double>>;
+using Values = std::vector<double>;
+using Fields = std::vector<Values>;
 using Floats = std::vector<std::vector<float>>;
 using Halo = BrickHalo<float>;
 using WideHalo = BrickHalo<double>;
-constexpr int kLanes = kBrickSide;
 
-double sum_lanes(const double* lane) {
-  return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
-}
-
-// p . A p of one brick.
-PATCHMILL_VECTOR_CLONES
-double brick_energy(const float* halo, const float* diagonal) {
-  double lane[kLanes] = {};
-  for (int k = 0; k < kBrickSide; ++k)
-    for (int j = 0; j < kBrickSide; ++j) {
-      const float* c = halo + Halo::index(0, j, k);
-      const float* d = diagonal + in_brick(0, j, k);
-      for (int i = 0; i < kBrickSide; ++i) {
-        const float sum = ((c[i - 1] + c[i + 1]) + (c[i - Halo::kRow] + c[i + Halo::kRow])) +
-                          (c[i - Halo::kSlab] + c[i + Halo::kSlab]);
-        const float ap = d[i] > 0.0f ? d[i] * c[i] - sum : 0.0f;
-        lane[i] += static_cast<double>(c[i] * ap);
-      }
-    }
-  return sum_lanes(lane);
-}
-
-// x += alpha p, r -= alpha A p in one brick; returns r . r.
-PATCHMILL_VECTOR_CLONES
-double brick_step(const float* halo, const float* diagonal, double alpha, double* x, float* r) {
-  double lane[kLanes] = {};
-  const float a = static_cast<float>(alpha);
-  for (int k = 0; k < kBrickSide; ++k)
-    for (int j = 0; j < kBrickSide; ++j) {
-      const float* c = halo + Halo::index(0, j, k);
-      const int row = in_brick(0, j, k);
-      for (int i = 0; i < kBrickSide; ++i) {
-        const float sum = ((c[i - 1] + c[i + 1]) + (c[i - Halo::kRow] + c[i + Halo::kRow])) +
-                          (c[i - Halo::kSlab] + c[i + Halo::kSlab]);
-        const float d = diagonal[row + i];
-        const float ap = d > 0.0f ? d * c[i] - sum : 0.0f;
-        const float next = r[row + i] - a * ap;
-        x[row + i] += alpha * static_cast<double>(c[i]);
-        r[row + i] = next;
-        lane[i] += static_cast<double>(next * next);
-      }
-    }
-  return sum_lanes(lane);
-}
-
-PATCHMILL_VECTOR_CLONES
-double brick_dot(const float* a, const float* b) {
-  double lane[kLanes] = {};
-  for (int row = 0; row < kBrickCells; row += kLanes)
-    for (int i = 0; i < kLanes; ++i) lane[i] += static_cast<double>(a[row + i] * b[row + i]);
-  return sum_lanes(lane);
-}
-
-PATCHMILL_VECTOR_CLONES
-void brick_direction(const float* z, float beta, float* p) {
-  for (int i = 0; i < kBrickCells; ++i) p[i] = z[i] + beta * p[i];
-}
-
-// r = sum of neighbours - d x in one brick, in double; returns r . r.
-PATCHMILL_VECTOR_CLONES
-double brick_true_residual(const double* halo, const float* diagonal, float* r) {
-  double lane[kLanes] = {};
-  for (int k = 0; k < kBrickSide; ++k)
-    for (int j = 0; j < kBrickSide; ++j) {
-      const double* c = halo + WideHalo::index(0, j, k);
-      const int row = in_brick(0, j, k);
-      for (int i = 0; i < kBrickSide; ++i) {
-        const double sum =
-            ((c[i - 1] + c[i + 1]) + (c[i - WideHalo::kRow] + c[i + WideHalo::kRow])) +
-            (c[i - WideHalo::kSlab] + c[i + WideHalo::kSlab]);
-        const double d = static_cast<double>(diagonal[row + i]);
-        const double value = d > 0.0 ? sum - d * c[i] : 0.0;
-        r[row + i] = static_cast<float>(value);
-        lane[i] += value * value;
-      }
-    }
-  return sum_lanes(lane);
-}
-
-// Per field, the sum over bricks of `kernel(brick, field, diagonal)`, added in the order of the
-// bricks.
+// Per live field, the sum over bricks of `kernel(brick, field, diagonal)`, added in the order of the bricks; 0
+// for the other fields.
 template <class Kernel>
-std::vector<double> sum_over_bricks(const LaplaceLevel& level, const Kernel& kernel) {
-  const std::size_t bricks = level.table->size(), fields = level.x.size();
-  std::vector<double> part(bricks * fields);
+std::vector<double> sum_over_bricks(const LaplaceLevel& level, const std::vector<std::size_t>& live,
+                                    const Kernel& kernel) {
+  const std::size_t bricks = level.table->size();
+  std::vector<double> part(bricks * live.size());
   tbb::parallel_for(std::size_t{0}, bricks, [&](std::size_t brick) {
     alignas(64) float diagonal[kBrickCells];
     load_diagonal(level, brick, diagonal);
-    for (std::size_t f = 0; f < fields; ++f) part[brick * fields + f] = kernel(brick, f, diagonal);
+    for (std::size_t i = 0; i < live.size(); ++i)
+      part[brick * live.size() + i] = kernel(brick, live[i], diagonal);
   });
-  std::vector<double> sum(fields, 0.0);
-  for (std::size_t i = 0; i < part.size(); ++i) sum[i % fields] += part[i];
+  std::vector<double> sum(level.x.size(), 0.0);
+  for (std::size_t i = 0; i < part.size(); ++i) sum[live[i % live.size()]] += part[i];
   return sum;
 }
 
-std::vector<double> true_residual(LaplaceLevel& level, const Fields& x) {
-  return sum_over_bricks(level, [&](std::size_t brick, std::size_t f, const float* diagonal) {
+// Field f of the level is x[f].
+std::vector<double> true_residual(LaplaceLevel& level, const std::vector<std::size_t>& live,
+                                  const Values* x) {
+  return sum_over_bricks(level, live, [&](std::size_t brick, std::size_t f, const float* diagonal) {
     WideHalo halo;
     load_halo(x[f].data(), *level.table, brick, halo);
     return brick_true_residual(halo.value, diagonal, level.b[f].data() + brick * kBrickCells);
   });
 }
 
-double worst_ratio(const std::vector<double>& squares, const std::vector<double>& reference) {
-  double worst = 0.0;
-  for (std::size_t f = 0; f < squares.size(); ++f)
-    if (reference[f] > 0.0) worst = std::max(worst, std::sqrt(squares[f] / reference[f]));
-  return worst;
-}
+// Conjugate gradients of one field.
+struct Descent {
+  double first = 0.0;  // squares of the first residual
+  double rz = 0.0;
+  bool restart = true;            // the next direction is the preconditioned residual itself
+  double true_residual = 0.0;     // relative, the last one in double
+  std::vector<double> history{};  // relative residuals
+};
 
-// One iteration; p.A p and r.z say the step lengths. A field whose residual is zero stands still.
-struct Iteration {
+// Fields solved side by side. Each goes its own way and stops when it is done, so that none depends on the
+// others.
+struct Batch {
   std::vector<LaplaceLevel>& levels;
   Floats& p;
-  std::vector<double> rz;
+  Values* x;  // the solution of field f is x[f]
+  std::vector<Descent> field;
 
+  LaplaceLevel& top() const { return levels[0]; }
+  const std::vector<std::size_t>& live() const { return levels[0].live; }
   const float* at(const std::vector<float>& v, std::size_t brick) const {
     return v.data() + brick * kBrickCells;
   }
 
-  void choose_direction(bool restart) {
+  void work_on(const std::vector<std::size_t>& fields) {
+    for (LaplaceLevel& level : levels) level.live = fields;
+  }
+
+  void begin(std::size_t fields, double tolerance) {
+    field.assign(fields, {});
+    std::vector<std::size_t> all(fields), open;
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const auto first = true_residual(top(), all, x);
+    for (const std::size_t f : all) {
+      field[f].first = first[f];
+      field[f].true_residual = first[f] > 0.0 ? 1.0 : 0.0;
+      field[f].history.push_back(field[f].true_residual);
+      if (field[f].true_residual > tolerance) open.push_back(f);
+    }
+    work_on(open);
+  }
+
+  void choose_direction() {
     v_cycle(levels);
-    LaplaceLevel& top = levels[0];
-    const auto next = sum_over_bricks(top, [&](std::size_t brick, std::size_t f, const float*) {
-      return brick_dot(at(top.x[f], brick), at(top.b[f], brick));
-    });
-    tbb::parallel_for(std::size_t{0}, top.table->size(), [&](std::size_t brick) {
-      for (std::size_t f = 0; f < p.size(); ++f) {
-        const double beta = restart || rz[f] <= 0.0 ? 0.0 : next[f] / rz[f];
-        brick_direction(at(top.x[f], brick), static_cast<float>(beta),
+    const auto next =
+        sum_over_bricks(top(), live(), [&](std::size_t brick, std::size_t f, const float*) {
+          return brick_dot(at(top().x[f], brick), at(top().b[f], brick));
+        });
+    tbb::parallel_for(std::size_t{0}, top().table->size(), [&](std::size_t brick) {
+      for (const std::size_t f : live()) {
+        const double beta = field[f].restart || field[f].rz <= 0.0 ? 0.0 : next[f] / field[f].rz;
+        brick_direction(at(top().x[f], brick), static_cast<float>(beta),
                         p[f].data() + brick * kBrickCells);
       }
     });
-    rz = next;
+    for (const std::size_t f : live()) field[f].rz = next[f];
   }
 
-  std::vector<double> step(Fields& x) {
-    LaplaceLevel& top = levels[0];
-    const auto energy =
-        sum_over_bricks(top, [&](std::size_t brick, std::size_t f, const float* diagonal) {
+  // Squares of the residuals after the step.
+  std::vector<double> step() {
+    const auto energy = sum_over_bricks(
+        top(), live(), [&](std::size_t brick, std::size_t f, const float* diagonal) {
           Halo halo;
-          load_halo(p[f].data(), *top.table, brick, halo);
+          load_halo(p[f].data(), *top().table, brick, halo);
           return brick_energy(halo.value, diagonal);
         });
-    return sum_over_bricks(top, [&](std::size_t brick, std::size_t f, const float* diagonal) {
-      Halo halo;
-      load_halo(p[f].data(), *top.table, brick, halo);
-      const double alpha = energy[f] > 0.0 ? rz[f] / energy[f] : 0.0;
-      return brick_step(halo.value, diagonal, alpha, x[f].data() + brick * kBrickCells,
-                        top.b[f].data() + brick * kBrickCells);
-    });
+    return sum_over_bricks(
+        top(), live(), [&](std::size_t brick, std::size_t f, const float* diagonal) {
+          Halo halo;
+          load_halo(p[f].data(), *top().table, brick, halo);
+          const double alpha = energy[f] > 0.0 ? field[f].rz / energy[f] : 0.0;
+          return brick_step(halo.value, diagonal, alpha, x[f].data() + brick * kBrickCells,
+                            top().b[f].data() + brick * kBrickCells);
+        });
+  }
+
+  // One iteration of every live field; those that are done, or may not go on, live no longer.
+  void iterate(const LaplaceOptions& options) {
+    choose_direction();
+    const auto squares = step();
+    std::vector<std::size_t> asked;
+    for (const std::size_t f : live()) {
+      Descent& d = field[f];
+      d.history.push_back(std::sqrt(squares[f] / d.first));
+      // the recursion is good for about four digits; then, and at the end, the truth is asked for
+      d.restart = d.history.back() <= std::max(options.tolerance, 1e-4 * d.true_residual) ||
+                  int(d.history.size()) > options.max_iterations;
+      if (d.restart) asked.push_back(f);
+    }
+    if (asked.empty()) return;
+    const auto truth = true_residual(top(), asked, x);
+    for (const std::size_t f : asked)
+      field[f].history.back() = field[f].true_residual = std::sqrt(truth[f] / field[f].first);
+    std::vector<std::size_t> open;
+    for (const std::size_t f : live())
+      if (!field[f].restart || (field[f].true_residual > options.tolerance &&
+                                int(field[f].history.size()) <= options.max_iterations))
+        open.push_back(f);
+    work_on(open);
   }
 };
+
+// Adds what became of a field: the largest residual of all after each iteration.
+void include(const Descent& field, LaplaceOutcome& outcome) {
+  auto& history = outcome.history;
+  while (history.size() < field.history.size())
+    history.push_back(history.empty() ? 0.0 : history.back());
+  for (std::size_t i = 0; i < history.size(); ++i)
+    history[i] = std::max(history[i], field.history[std::min(i, field.history.size() - 1)]);
+  outcome.iterations = static_cast<int>(history.size()) - 1;
+  outcome.true_residual = std::max(outcome.true_residual, field.true_residual);
+}
 
 void check(const BrickTable& table, const std::vector<CellRole>& role, const Fields& fields,
            const LaplaceOptions& options) {
@@ -200,36 +189,29 @@ LaplaceOutcome solve_laplace(const BrickTable& table, std::vector<CellRole> role
   check(table, role, fields, options);
   clear_outside(role, fields);
   exclude_unreached(table, role);
-  const int count = static_cast<int>(fields.size());
+  const std::size_t together =
+      std::size_t(fields_at_once(table.size(), static_cast<int>(fields.size())));
   std::vector<LaplaceLevel> levels;
-  levels.push_back(finest_level(table, role, count));
+  levels.push_back(finest_level(table, role, static_cast<int>(together)));
   append_coarser_levels(levels, role);
-  Floats p(count, std::vector<float>(table.cell_count(), 0.0f));
-  Iteration cg{levels, p, std::vector<double>(count, 0.0)};
+  std::vector<CellRole>().swap(role);  // the levels know it now
+  Floats p(together);
+  for (auto& values : p) values.assign(table.cell_count(), 0.0f);
 
   LaplaceOutcome outcome;
-  const std::vector<double> first = true_residual(levels[0], fields);
-  outcome.true_residual = worst_ratio(first, first);
-  outcome.history.push_back(outcome.true_residual);
-  bool restart = true;
-  while (outcome.true_residual > options.tolerance && outcome.iterations < options.max_iterations) {
-    const double share = std::log(outcome.history.back()) / std::log(options.tolerance);
-    if (!go_on(progress, std::min(0.99, std::max(0.0, share)))) {
-      outcome.cancelled = true;
-      return outcome;
+  for (std::size_t first = 0; first < fields.size() && !outcome.cancelled; first += together) {
+    Batch batch{levels, p, &fields[first], {}};
+    batch.begin(std::min(together, fields.size() - first), options.tolerance);
+    while (!batch.live().empty() && !outcome.cancelled) {
+      const double residual = batch.field[batch.live()[0]].history.back();
+      const double share = std::log(residual) / std::log(options.tolerance);
+      const double all = double(first) + std::min(0.99, std::max(0.0, share)) * double(together);
+      outcome.cancelled = !go_on(progress, all / double(fields.size()));
+      if (!outcome.cancelled) batch.iterate(options);
     }
-    cg.choose_direction(restart);
-    outcome.history.push_back(worst_ratio(cg.step(fields), first));
-    ++outcome.iterations;
-    // the recursion is good for about four digits; then, and at the end, the truth is asked for
-    restart = outcome.history.back() <= std::max(options.tolerance, 1e-4 * outcome.true_residual) ||
-              outcome.iterations == options.max_iterations;
-    if (restart) {
-      outcome.true_residual = worst_ratio(true_residual(levels[0], fields), first);
-      outcome.history.back() = outcome.true_residual;
-    }
+    for (const Descent& field : batch.field) include(field, outcome);
   }
-  outcome.converged = outcome.true_residual <= options.tolerance;
+  outcome.converged = !outcome.cancelled && outcome.true_residual <= options.tolerance;
   return outcome;
 }
 
@@ -237,7 +219,7 @@ std::vector<double> laplace_residual(const BrickTable& table, const std::vector<
                                      const Fields& fields) {
   check(table, role, fields, {});
   LaplaceLevel level = finest_level(table, role, static_cast<int>(fields.size()));
-  std::vector<double> squares = true_residual(level, fields);
+  std::vector<double> squares = true_residual(level, level.live, fields.data());
   for (double& s : squares) s = std::sqrt(s);
   return squares;
 }

@@ -1,7 +1,9 @@
 // Steady diffusion on a masked voxel grid: the discrete Laplace equation with held cells, by
 // conjugate gradients preconditioned with the multigrid V-cycle of laplace_level.h. No matrix is
-// assembled; all fields (both posture angles, or three components of a vector) are solved in one
-// pass, sharing the grid's data. Kobayashi & Shirase 2014, Eq. (5), run to its stable state.
+// assembled. All fields (both posture angles, or three components of a vector) share the grid's data and are
+// solved side by side, or one after the other where memory asks it (fields_at_once); each stops when its own
+// residual is small enough, so that its result depends on no other. Kobayashi & Shirase 2014, Eq. (5), run to
+// its stable state.
 //
 // The unknowns are kept in double and their residual is recomputed in double whenever the recursion
 // (single precision) says that the tolerance is met; if it is not, the iteration restarts from the

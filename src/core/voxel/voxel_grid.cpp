@@ -32,11 +32,12 @@ namespace {
 MemoryEstimate of_bricks(double bricks, double box_bricks) {
   const double cells = bricks * kBrickCells;
   MemoryEstimate need;
-  // the table, the flags, and the kinds twice while they are gathered
+  // numbers and flags per brick of the box; per stored brick its place and neighbours; the kinds twice, since the
+  // pieces from which they are gathered are small and the allocator may keep them
   need.grid = 5.0 * box_bricks + bricks * (sizeof(Cell) + 6.0 * sizeof(std::int32_t)) + 2.0 * cells;
   need.fields = cells * (3.0 * sizeof(double) + 2.0 * sizeof(float));
-  const double solving =
-      static_cast<double>(laplace_bytes(1, 2)) * bricks + cells * (1.0 + 2.0 * sizeof(double));
+  const double solving = static_cast<double>(laplace_bytes(static_cast<std::size_t>(bricks), 2)) +
+                         cells * 2.0 * sizeof(double);
   // the posture is solved before the feed fields are made: the peak is the larger of the two
   need.solver = std::max(0.0, solving - need.fields);
   return need;

@@ -59,7 +59,8 @@ struct MemoryEstimate {
 };
 
 /// Foreseen from the volume [mm^3] that will be stored and the area [mm^2] that bounds it: a
-/// surface of random direction and area A meets 1.5 A / L^2 cubes of side L.
+/// surface of random direction and area A meets 1.5 A / L^2 cubes of side L. The posture is that of two
+/// angles; the unit vector takes 8 bytes a voxel more while it is solved.
 MemoryEstimate estimate_memory(const GridFrame& frame, double volume, double area);
 
 /// Exact, for bricks that are known.

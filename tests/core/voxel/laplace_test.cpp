@@ -137,6 +137,30 @@ TEST(Laplace, SameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(result[0], result[1]);
 }
 
+// Side by side or alone, a field goes through the same numbers: where memory asks it they are solved one after
+// the other.
+TEST(Laplace, EachFieldIsSolvedAsIfItWereAlone) {
+  Problem together = ball_problem(40);
+  together.fields.push_back(together.fields[0]);
+  for (std::size_t i = 0; i < together.role.size(); ++i)
+    together.fields[1][i] = together.role[i] == CellRole::Held ? std::sin(0.01 * double(i)) : 0.0;
+  together.fields.emplace_back(together.role.size(), 0.0);
+  const Problem start = together;
+  LaplaceOptions options;
+  options.tolerance = 1e-6;
+  const LaplaceOutcome all = solve_laplace(together.table, together.role, together.fields, options);
+  int most = 0;
+  for (std::size_t f = 0; f < start.fields.size(); ++f) {
+    Fields alone{start.fields[f]};
+    const LaplaceOutcome one = solve_laplace(start.table, start.role, alone, options);
+    EXPECT_TRUE(one.converged);
+    EXPECT_EQ(alone[0], together.fields[f]);
+    most = std::max(most, one.iterations);
+  }
+  EXPECT_TRUE(all.converged);
+  EXPECT_EQ(all.iterations, most);
+}
+
 // A random mask on a small box, solved by a dense factorisation.
 RC_GTEST_PROP(Laplace, EqualsADenseSolve, (unsigned seed)) {
   std::mt19937 random(seed);
