@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace patchmill {
 namespace {
@@ -85,19 +86,23 @@ void touch(const Triangle& t, int first_y, int first_z, const Cell& bricks, RowB
   }
 }
 
-// From toggles to states, brick by brick along each row.
+// From toggles to states, brick by brick along each row; eight rows at a time, a byte each.
 void toggles_to_states(RowBits& bits, int bricks) {
-  std::uint8_t carry[64] = {};
-  for (int b = 0; b < bricks; ++b)
-    for (int row = 0; row < 64; ++row) {
-      unsigned v = bits[64 * b + row];
-      v ^= v << 1;
-      v ^= v << 2;
-      v ^= v << 4;
-      v = (v & 0xffU) ^ carry[row];
-      carry[row] = v & 0x80U ? 0xff : 0;
-      bits[64 * b + row] = static_cast<std::uint8_t>(v);
+  constexpr std::uint64_t kOnes = 0x0101010101010101U;
+  std::array<std::uint64_t, 8> carry{};
+  for (int b = 0; b < bricks; ++b) {
+    std::array<std::uint64_t, 8> rows;
+    std::memcpy(rows.data(), &bits[64 * b], sizeof rows);
+    for (int i = 0; i < 8; ++i) {
+      std::uint64_t v = rows[i];
+      v ^= (v << 1) & (0xffU - 0x1U) * kOnes;
+      v ^= (v << 2) & (0xffU - 0x3U) * kOnes;
+      v ^= (v << 4) & (0xffU - 0xfU) * kOnes;
+      rows[i] = v ^ carry[i];
+      carry[i] = (rows[i] >> 7 & kOnes) * 0xffU;
     }
+    std::memcpy(&bits[64 * b], rows.data(), sizeof rows);
+  }
 }
 
 }  // namespace

@@ -150,6 +150,34 @@ TEST(Voxelise, FacesInVoxelPlanesMarkBothSides) {
     EXPECT_EQ(grid.at(cell), kind) << cell.transpose();
 }
 
+// Whole bricks of air, part and removal volume, and mixed ones, beside each other and at the box's faces.
+TEST(Voxelise, TheSkinIsWhatBordersOnAir) {
+  const TriangleMesh ball = shapes::sphere(Vec3::Zero(), 30, 3);
+  const TriangleMesh block = box_mesh(Vec3(-33, -20, -24), Vec3(24, 20.5, 30));
+  const TriangleMesh cube = box_mesh(Vec3::Constant(-16), Vec3::Constant(8));
+  for (const TriangleMesh* stock : {&ball, &block}) {
+    const VoxelGrid grid = voxelise(*stock, cube, pitch(1.0));
+    std::int64_t wrong = 0, skin = 0;
+    Cell c;
+    for (c.z() = 0; c.z() < grid.frame.cells.z(); ++c.z())
+      for (c.y() = 0; c.y() < grid.frame.cells.y(); ++c.y())
+        for (c.x() = 0; c.x() < grid.frame.cells.x(); ++c.x()) {
+          const VoxelKind kind = grid.at(c);
+          bool beside = false;
+          for (int side = 0; side < 6; ++side) {
+            Cell near = c;
+            near[side / 2] += side % 2 == 0 ? -1 : 1;
+            beside = beside || grid.at(near) == VoxelKind::Air;
+          }
+          skin += kind == VoxelKind::Exterior ? 1 : 0;
+          wrong += kind == VoxelKind::Exterior && !beside ? 1 : 0;
+          wrong += kind == VoxelKind::Removal && beside ? 1 : 0;
+        }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_GT(skin, 5000);
+  }
+}
+
 TEST(Voxelise, RemovalVolumeConvergesToStockMinusPart) {
   const TriangleMesh stock = box_mesh(Vec3::Constant(-10), Vec3::Constant(10));
   const TriangleMesh part = shapes::sphere(Vec3::Zero(), 7, 4);
