@@ -12,51 +12,119 @@ namespace {
 
 constexpr double kTurn = 2.0 * kPi;
 
-// Part of a frustum's surface in the tool's own frame: a share [s0, s1] of its generator and an angle
-// [a0, a1]. Ends of a section are frusta of no height.
-struct Patch {
-  HolderSection of;
-  double s0, s1, a0, a1;
-
-  double radius(double s) const { return of.radius_from + s * (of.radius_to - of.radius_from); }
-  double height(double s) const { return of.from + s * (of.to - of.from); }
-};
-
+// Least signed distance of the part from the sections of a tool.
 class Finder {
  public:
   // Distances below `stop` need not be found any better.
   Finder(const TriangleBvh& part, const Vec3& centre, const Vec3& axis, double resolution,
          double stop)
-      : part_(part), centre_(centre), axis_(axis), resolution_(resolution), stop_(stop) {
-    u_ = any_normal_to(axis);
-    v_ = axis.cross(u_);
+      : part_(part), centre_(centre), axis_(axis), resolution_(resolution), stop_(stop) {}
+
+  /// To the resolution, and no more than `enough`; below `stop` some distance that is.
+  double least(const std::vector<HolderSection>& holder, double enough) {
+    best_ = enough;
+    for (const HolderSection& section : holder) {
+      search(section);
+      if (best_ < stop_) break;
+    }
+    return best_;
   }
 
-  // The smaller of `best` and the patch's distance.
-  double least(const Patch& p, double best) const {
-    if (best < stop_) return best;
-    const double s = 0.5 * (p.s0 + p.s1), a = 0.5 * (p.a0 + p.a1);
-    const double along =
-        std::hypot(p.height(p.s1) - p.height(p.s0), p.radius(p.s1) - p.radius(p.s0));
-    const double around = std::max(p.radius(p.s0), p.radius(p.s1)) * (p.a1 - p.a0);
-    const double reach = 0.5 * std::hypot(along, around);
-    const Vec3 place =
-        centre_ + p.height(s) * axis_ + p.radius(s) * (std::cos(a) * u_ + std::sin(a) * v_);
-    const double d = closest_point(part_, place, best + reach).distance;
-    best = std::min(best, d);
-    if (d - reach >= best - resolution_ || reach <= 0.5 * resolution_) return best;
-    Patch one = p, two = p;
-    if (along > around)
-      one.s1 = two.s0 = s;
-    else
-      one.a1 = two.a0 = a;
-    return least(two, least(one, best));
+  /// Where on the part it is.
+  const Vec3& place() const { return place_; }
+
+ private:
+  bool decided(double bound) const { return best_ < stop_ || bound >= best_ - resolution_; }
+
+  // No point of the box is nearer.
+  double bound(const HolderSection& section, const BvhNode& node) const {
+    const auto d = frustum_distance(section, centre_, axis_, 0.5 * (node.lo + node.hi));
+    return d.value - 0.5 * d.gradient.cwiseAbs().dot(node.hi - node.lo);
+  }
+
+  void search(const HolderSection& section) {
+    struct Visit {
+      std::int32_t node;
+      double bound;
+    };
+    Visit stack[64];
+    int top = 0;
+    stack[top++] = {0, bound(section, part_.nodes()[0])};
+    while (top > 0) {
+      const Visit visit = stack[--top];
+      if (decided(visit.bound)) continue;
+      const BvhNode& node = part_.nodes()[visit.node];
+      for (std::int32_t i = node.first; i < node.first + node.count; ++i)
+        look(section, part_.triangles()[i]);
+      if (node.count > 0) continue;
+      const double l = bound(section, part_.nodes()[node.first]);
+      const double r = bound(section, part_.nodes()[node.first + 1]);
+      stack[top++] = {node.first + (l <= r ? 1 : 0), std::max(l, r)};
+      stack[top++] = {node.first + (l <= r ? 0 : 1), std::min(l, r)};
+    }
+  }
+
+  void look(const HolderSection& section, const Triangle& t) {
+    const Vec3 middle = (t.a + t.b + t.c) / 3.0;
+    const auto d = frustum_distance(section, centre_, axis_, middle);
+    if (d.value < best_) {
+      best_ = d.value;
+      place_ = middle;
+    }
+    const Vec3& g = d.gradient;
+    if (decided(d.value +
+                std::min({g.dot(t.a - middle), g.dot(t.b - middle), g.dot(t.c - middle)})))
+      return;
+    const double ab = (t.b - t.a).norm(), bc = (t.c - t.b).norm(), ca = (t.a - t.c).norm();
+    if (ab < std::max(bc, ca)) return look(section, {t.b, t.c, t.a});  // the longest side in front
+    const Vec3 half = 0.5 * (t.a + t.b);
+    look(section, {t.c, t.a, half});
+    look(section, {t.b, t.c, half});
+  }
+
+  const TriangleBvh& part_;
+  Vec3 centre_, axis_;
+  double resolution_, stop_;
+  double best_ = 0.0;
+  Vec3 place_ = Vec3::Zero();
+};
+
+// Is an axis clear? Points of the part that were in the way before are asked first, the last one of all.
+class Judge {
+ public:
+  Judge(const TriangleBvh& part, const std::vector<HolderSection>& holder, const Vec3& centre,
+        const ClearOptions& options)
+      : part_(part), holder_(holder), centre_(centre), options_(options) {}
+
+  bool clear(const Vec3& axis) {
+    if (axis.z() < std::cos(options_.lowest.radians()) - 1e-12 || blocked_before(axis))
+      return false;
+    Finder finder(part_, centre_, axis, options_.resolution, options_.clearance);
+    if (finder.least(holder_, options_.clearance + options_.resolution) >= options_.clearance)
+      return true;
+    if (blockers_.size() == kMost) blockers_.pop_back();
+    blockers_.insert(blockers_.begin(), finder.place());
+    return false;
   }
 
  private:
+  static constexpr std::size_t kMost = 8;
+
+  bool blocked_before(const Vec3& axis) {
+    for (auto p = blockers_.begin(); p != blockers_.end(); ++p)
+      for (const HolderSection& section : holder_)
+        if (frustum_distance(section, centre_, axis, *p).value < options_.clearance) {
+          std::rotate(blockers_.begin(), p, p + 1);
+          return true;
+        }
+    return false;
+  }
+
   const TriangleBvh& part_;
-  Vec3 centre_, axis_, u_, v_;
-  double resolution_, stop_;
+  const std::vector<HolderSection>& holder_;
+  Vec3 centre_;
+  const ClearOptions& options_;
+  std::vector<Vec3> blockers_;
 };
 
 Vec3 turned(const Vec3& axis, const Vec3& towards, double angle) {
@@ -76,35 +144,19 @@ void check(const std::vector<HolderSection>& holder, const ClearOptions& o) {
   }
 }
 
-double least_distance(const std::vector<HolderSection>& holder, const Finder& finder,
-                      double enough) {
-  double best = enough;
-  for (const HolderSection& s : holder) {
-    const HolderSection low{s.from, s.from, 0.0, s.radius_from}, high{s.to, s.to, 0.0, s.radius_to};
-    for (const HolderSection& surface : {s, low, high})
-      best = finder.least({surface, 0.0, 1.0, 0.0, kTurn}, best);
-  }
-  return best;
-}
-
 }  // namespace
 
 double holder_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
                        const Vec3& centre, const Vec3& axis, double resolution, double enough) {
-  const double d =
-      least_distance(holder, Finder(part, centre, axis, resolution, resolution), enough);
+  const double d = Finder(part, centre, axis, resolution, resolution).least(holder, enough);
   return d < resolution ? 0.0 : d;
 }
 
 ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& holder,
                      const Vec3& centre, const Vec3& wanted, const ClearOptions& options) {
   check(holder, options);
-  const double enough = options.clearance + options.resolution;
-  const auto clear = [&](const Vec3& axis) {
-    return axis.z() >= std::cos(options.lowest.radians()) - 1e-12 &&
-           least_distance(holder, Finder(part, centre, axis, options.resolution, options.clearance),
-                          enough) >= options.clearance;
-  };
+  Judge judge(part, holder, centre, options);
+  const auto clear = [&](const Vec3& axis) { return judge.clear(axis); };
   if (clear(wanted)) return {wanted, true};
   // rings of axes around the wanted one, the sense that rights the tool first
   const Vec3 up = Vec3::UnitZ() - wanted.z() * wanted;

@@ -1,24 +1,21 @@
 // Collision-aware posture: the axis yields before shank or holder come nearer to the part than a stated
 // distance. Kobayashi & Shirase 2014, section 4.2, left collisions out.
 //
-// The surface of each section of the tool is divided into patches; a patch whose middle is further from the
-// part than the patch's own radius and the clearance is clear, one whose middle is nearer than the clearance
-// is not, and the others are divided on. The ball itself touches the part and is not looked at.
+// Each section of the tool is a frustum, a convex body. The tree of the part's boxes is searched for the least
+// signed distance from it; the tangent plane of that distance in the middle of a box or a triangle (frustum.h)
+// bounds it there, and what cannot come below the least found so far by more than the resolution is left out
+// (branch and bound); triangles are halved until that decides. A point of the part that was in the way of one
+// axis is tried first with the next. The ball itself touches the part and is not looked at.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/path/tool_path.h"
+#include "core/voxel/frustum.h"
 #include "core/voxel/triangle_bvh.h"
 
 #include <vector>
 
 namespace patchmill {
-
-/// A frustum about the tool axis.
-struct HolderSection {
-  double from = 0.0, to = 0.0;                ///< heights above the ball centre [mm], 0 < from < to
-  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], >= 0
-};
 
 struct ClearOptions {
   double clearance = 1.0;             ///< that is kept between holder and part [mm], > 0

@@ -8,6 +8,7 @@
 #include "voxel/shapes.h"
 
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -39,6 +40,39 @@ double sampled_distance(const TriangleBvh& part, const std::vector<HolderSection
   return least;
 }
 
+// Nearest point of the solid frustum by trying many, and the tangent plane that must lie below.
+RC_GTEST_PROP(Frustum, DistanceIsThatOfTheNearestPointAndConvex, (unsigned seed)) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto vector = [&](double size) -> Vec3 {
+    return size * Vec3(number(random), number(random), number(random));
+  };
+  const double from = 1.0 + number(random);
+  const HolderSection s{from, from + 3.0 + 2.0 * number(random),
+                        std::max(0.0, 3.0 * number(random)), 2.0 + 2.0 * number(random)};
+  const Vec3 centre = vector(5), axis = (vector(1) + Vec3(0, 0, 1e-3)).normalized();
+  const Vec3 p = centre + vector(12);
+  const SignedDistance d = frustum_distance(s, centre, axis, p);
+  double sampled = 1e9;
+  const Vec3 u = any_normal_to(axis), v = axis.cross(u);
+  for (int i = 0; i <= 60; ++i)
+    for (int k = 0; k < 120; ++k)
+      for (const double across : {1.0, i / 60.0}) {
+        const double share = across < 1.0 ? double(k % 2) : i / 60.0;
+        const double h = s.from + share * (s.to - s.from), a = 2 * kPi * k / 120;
+        const double r = across * (s.radius_from + share * (s.radius_to - s.radius_from));
+        const Vec3 q = centre + h * axis + r * (std::cos(a) * u + std::sin(a) * v);
+        sampled = std::min(sampled, (q - p).norm());
+      }
+  RC_ASSERT(std::abs(d.value) <= sampled + 1e-9);
+  RC_ASSERT(std::abs(d.value) >= sampled - 0.25);  // spacing of the samples
+  RC_ASSERT(d.gradient.norm() <= 1.0 + 1e-9);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 q = p + vector(i % 2 ? 8.0 : 0.1);
+    RC_ASSERT(frustum_distance(s, centre, axis, q).value >= d.value + d.gradient.dot(q - p) - 1e-9);
+  }
+}
+
 RC_GTEST_PROP(HolderDistance, AgreesWithADenseSampling, ()) {
   const auto real = [](double lo, double hi) {
     return lo + (hi - lo) * *rc::gen::inRange(0, 1001) / 1000;
@@ -57,6 +91,11 @@ TEST(HolderDistance, OfAHolderBesideAWall) {
   // the wider end of the holder, radius 14, is nearest: 20 - 14 - 3
   EXPECT_NEAR(holder_distance(wall, kHolder, Vec3(3, 0, 0), Vec3::UnitZ(), 0.01, 100), 3.0, 0.011);
   EXPECT_EQ(holder_distance(wall, kHolder, Vec3(10, 0, 0), Vec3::UnitZ(), 0.01, 100), 0.0);
+}
+
+TEST(HolderDistance, OfAPartThatIsWithinTheHolder) {
+  const TriangleBvh pin(box_mesh(Vec3(-1, -1, 30), Vec3(1, 1, 32)));
+  EXPECT_EQ(holder_distance(pin, kHolder, Vec3::Zero(), Vec3::UnitZ(), 0.01, 10), 0.0);
 }
 
 TEST(ClearAxis, LeavesAClearAxisAsItIs) {
