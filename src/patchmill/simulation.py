@@ -13,128 +13,16 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
-import os
-from dataclasses import dataclass, field
 
 import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import machines, tool_posture
+from patchmill.simulated_motion import motion_of
+from patchmill.simulated_texture import SimulatedTexture
 from patchmill.texture_plan import PlannedTexture
 
 SLACK = 1.25  # of the highest peak that is expected: so high is the stock over the base
-
-
-@dataclass
-class SimulatedTexture:
-    """The relief of a texture, or of a window of it. Lengths in mm; places in plane coordinates.
-
-    `found` holds arrays, one entry per dimple found in the window: places (n, 2), points (n, 3) in the
-    work frame, bottoms, depths, diameters, at_edge; per planned dimple `dimple` (its number), `found`
-    (index of its mark, -1: missing), `moved` (m, 2); `extra`: indices of marks that nobody planned."""
-
-    plan: PlannedTexture
-    marks: core.TextureMarks
-    window: tuple  # (low, high)
-    found: dict
-    alignment: dict
-    source: str  # where the motion comes from, a phrase
-    base: object = None  # what heights are measured from: FaceSampler, Dimples, or None for the plane
-    reach: float = 1.0
-    untimed_moves: int = 0
-    _rows: list = field(default=None, repr=False)
-
-    @property
-    def heights(self):
-        """Deviation from the base along its normal [mm], float32 (rows, columns); NaN: no base there."""
-        return self.marks.heights
-
-    @property
-    def step(self):
-        """Distance of cells [mm]."""
-        return self.marks.step
-
-    @property
-    def origin(self):
-        """Plane coordinates of cell [0, 0] [mm]."""
-        return tuple(float(c) for c in self.marks.first)
-
-    @property
-    def quality(self):
-        """1 for a texture as planned, 0 if no mark is nearer to its place than a quarter spacing."""
-        return self.found["quality"]
-
-    def surface(self, stride=1, rows=None, columns=None):
-        """Points of the relief for a mesh: (points (r, c, 3) [mm] in the work frame, heights (r, c) [mm]).
-
-        Every `stride`-th cell of rows[0] <= row < rows[1] and of the columns alike; all if None. Points are
-        NaN where there is no base. Take large reliefs in blocks: a block is computed when it is asked for."""
-        r, c = self.heights.shape
-        r0, r1 = rows or (0, r)
-        c0, c1 = columns or (0, c)
-        return self.marks.surface(self.base, self.reach, r0, r1 - r0, c0, c1 - c0, stride)
-
-    def data(self):
-        """The figures as a dict of plain values: lengths in mm, shares 0 to 1."""
-        f = self.found
-        planned, missing = len(f["dimple"]), int(f["missing"])
-        inner = ~f["at_edge"]
-        return {
-            "source": self.source,
-            "grid_mm": self.step,
-            "window_mm": [[float(v) for v in corner] for corner in self.window],
-            "planned": planned,
-            "found": planned - missing,
-            "missing": missing,
-            "extra": len(f["extra"]),
-            "place_rms_mm": _number(f["rms_move"]),
-            "place_rms_share": _number(f["rms_move"] / self.plan.input.spacing),
-            "place_largest_mm": _number(f["largest_move"]),
-            "mean_move_mm": [float(v) for v in f["mean_move"]],
-            "depth_mm": _number(f["mean_depth"]),
-            "depth_deviation_mm": _number(f["depth_deviation"]),
-            "diameter_mm": _number(f["diameters"][inner].mean()) if inner.any() else None,
-            "spacing_mm": _number(f["mean_spacing"]),
-            "alignment": self.alignment["state"],
-            "shift": self.alignment["shift"],
-            "quality": float(self.quality),
-        }
-
-    def rows(self):
-        """The table: pairs of a name and what is to be said of it."""
-        d = self.data()
-        per_cent = lambda share: "-" if share is None else "%.1f %%" % (100.0 * share)  # noqa: E731
-        yield "Motion", d["source"]
-        yield "Dimples planned", "{:,}".format(d["planned"])
-        yield "found", "{:,}, missing {:,}".format(d["found"], d["missing"])
-        yield "marks that nobody planned", "{:,}".format(d["extra"])
-        yield (
-            "off their places, rms",
-            "%s (%s of the spacing); at most %s"
-            % (_um(d["place_rms_mm"]), per_cent(d["place_rms_share"]), _um(d["place_largest_mm"])),
-        )
-        yield "depth to the rim", "%s ± %s" % (_um(d["depth_mm"]), _um(d["depth_deviation_mm"]))
-        yield "diameter, mean", _mm(d["diameter_mm"])
-        yield "distance to the nearest, mean", _mm(d["spacing_mm"])
-        yield "array", d["alignment"]
-        yield "quality, 0 to 1", "%.3f" % d["quality"]
-
-    def text(self):
-        """The table as text."""
-        return "\n".join("%-32s %s" % row for row in self.rows())
-
-
-def _number(value):
-    return None if value is None or not math.isfinite(value) else float(value)
-
-
-def _um(value):
-    return "-" if value is None else "%.1f µm" % (1000.0 * value)
-
-
-def _mm(value):
-    return "-" if value is None else "%.3f mm" % value
 
 
 def simulate(
@@ -174,36 +62,45 @@ def simulate(
     Raises InputError naming what is wrong: Path, Program, Machine, Samples, Window, GridStep, Stock, Memory
     and what the core names."""
     plan = _plan_of(texture)
-    spacing = plan.input.spacing
-    if sum(given is not None for given in (path, program, samples)) > 1:
-        raise InputError("Path", "several motions", "give one of path, program and samples.")
-    motion, source = _motion(plan, path, program, dialect, machine, samples)
+    motion, source = motion_of(plan, path, program, dialect, machine, samples)
     low, high = _window(plan, window)
     base, reach = _base(plan)
-    margin = spacing
-    marks = core.simulate_texture(
+    marks = _marks_around(
+        plan,
         motion,
-        plan.input.tool,
-        plan.plane,
-        low - margin,
-        high + margin,
-        spacing / 25.0 if step is None else step,
-        _stock(plan) if stock is None else stock,
+        (low, high),
+        (step, stock),
         base=base,
         reach=reach,
         helix=math.radians(helix),
         runout=list(runout),
-        least_depth=0.002,
-        halo=2.0 * spacing,
         memory_limit=4e9 if memory_limit is None else memory_limit,
         progress=progress,
     )
     if not marks.complete:
         return None
-    found = core.compare_window(marks, plan.dimples, low, high, spacing)
+    found = core.compare_window(marks, plan.dimples, low, high, plan.input.spacing)
     alignment = _alignment(plan, found["places"][~found["at_edge"]])
     return SimulatedTexture(
         plan, marks, (low, high), found, alignment, source, base, reach, motion.untimed_moves
+    )
+
+
+def _marks_around(plan, motion, window, sizes, **options):
+    """_patchmill.TextureMarks of a window, simulated one spacing beyond it on all sides, so that the dimples
+    at its border have their neighbours. `sizes`: step and stock, as simulate takes them."""
+    (low, high), (step, stock), spacing = window, sizes, plan.input.spacing
+    return core.simulate_texture(
+        motion,
+        plan.input.tool,
+        plan.plane,
+        low - spacing,
+        high + spacing,
+        spacing / 25.0 if step is None else step,
+        _stock(plan) if stock is None else stock,
+        least_depth=0.002,
+        halo=2.0 * spacing,
+        **options,
     )
 
 
@@ -212,8 +109,14 @@ def _alignment(plan, places):
     given = plan.input
     if plan.free is not None:
         return _alignment_of_sector(plan, places)
-    across = given.spacing * (1.0 if given.patch_shape == "Square" else math.sqrt(0.75))
-    return core.classify_alignment(places, (1.0, 0.0), given.spacing, across)
+    return core.classify_alignment(places, (1.0, 0.0), given.spacing, _across(plan))
+
+
+def _across(plan):
+    """Distance of neighbouring passes [mm]."""
+    if plan.free is not None:
+        return plan.input.cross_feed
+    return plan.input.spacing * (1.0 if plan.input.patch_shape == "Square" else math.sqrt(0.75))
 
 
 def _alignment_of_sector(plan, places):
@@ -241,83 +144,6 @@ def _plan_of(texture):
     from patchmill.texture_operation import planned
 
     return planned(texture)
-
-
-def _motion(plan, path, program, dialect, machine, samples):
-    """(ToolMotion, a phrase that says where it comes from)."""
-    if samples is not None:
-        if plan.posture is not None:
-            raise InputError("Samples", "rotary axes", "recordings are cut with an upright tool only.")
-        if machine is not None:
-            raise InputError("Machine", machine, "a recording has its machine in it: leave it out.")
-        return _recorded(plan, samples), "recorded on a machine"
-    if program is not None:
-        path, source = read_program(plan, program, dialect), "the program " + os.path.basename(program)
-    elif path is not None:
-        source = "the posted text, read back"
-    else:
-        path, source = plan.path, "the plan"
-    housing = _housing(plan, path)
-    if machine is None:
-        return core.motion_of_path(path, plan.dimples, plan.rule, housing=housing), source
-    if not isinstance(machine, machines.Machine):
-        machine = machines.load(machine)
-    known, reason, moved = core.path_on_machine(path, machine.model)
-    if not known:
-        raise InputError("Machine", machine.key, "its motion is not known: %s." % reason)
-    start = core.best_start_phase(moved, plan.dimples, plan.rule)
-    motion = core.motion_of_path(moved, plan.dimples, plan.rule, start, housing)
-    return motion, "%s, as %s would run it" % (source, machine.data["name"])
-
-
-def _housing(plan, path):
-    """Azimuth 0 of the spindle's housing in the work frame at a path's start and at each move's end,
-    (n + 1, 3), as the planned angles of the rotary axes make it; None for an upright tool. The timed moves of
-    `path` are those of the plan."""
-    if plan.posture is None:
-        return None
-    planned = core.housing_x(plan.posture.kinematics, plan.posture.work.joints)
-    if len(path) == len(plan.path):
-        return planned
-    timed = path.kinds > 0
-    number = np.concatenate([[0], np.flatnonzero(plan.path.kinds > 0) + 1])
-    if timed.sum() + 1 != len(number):
-        raise InputError("Path", "%d timed moves" % timed.sum(), "give a path of this texture's plan.")
-    return planned[number[np.concatenate([[0], np.cumsum(timed)])]]
-
-
-def _recorded(plan, samples):
-    rows = np.asarray(samples, float)
-    if rows.ndim != 2 or rows.shape[1] != 5 or len(rows) < 2 or not np.isfinite(rows).all():
-        raise InputError(
-            "Samples", "shape %s" % (rows.shape,), "give finite rows (time, x, y, z, spindle azimuth)."
-        )
-    given = plan.input
-    return core.motion_of_samples(
-        rows[:, 0], rows[:, 1:4], rows[:, 4], given.spindle, given.tool.radius
-    )
-
-
-def read_program(plan, filename, dialect):
-    """The ToolPath of the section of a G-code file that holds the plan. Raises InputError naming Program."""
-    try:
-        with open(filename, encoding="utf-8") as file:
-            text = file.read()
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError("Program", filename, "it could not be read: %s." % error) from error
-    best, found = None, -1
-    half_unit = 0.5 * 10.0**-plan.input.decimals
-    for section in core.read_gcode(text, plan.input.tool, dialect, rotary=plan.posture is not None):
-        path = section.path
-        if plan.posture is None:
-            match = core.match_plan(path, plan.path, half_unit)
-        else:
-            _, match, path = tool_posture.read_back(section, plan.posture, plan.machine, half_unit)
-        if match.found > found:
-            best, found = path, match.found
-    if found < 1:
-        raise InputError("Program", filename, "none of its moves end on the texture's dimples.")
-    return best
 
 
 def _window(plan, window):
@@ -355,9 +181,6 @@ def _stock(plan):
     stretch = 1.0
     if given.mapping == "Projected" and not given.surface.planar and len(cosine):
         stretch = 1.0 / max(0.2, float(cosine.min()))
-    across = given.spacing * (1.0 if given.patch_shape == "Square" else math.sqrt(0.75))
-    if plan.free is not None:
-        across = given.cross_feed
-    square = ((given.spacing * stretch) ** 2 + across**2) / 4.0
+    square = ((given.spacing * stretch) ** 2 + _across(plan) ** 2) / 4.0
     peak = radius - math.sqrt(max(radius**2 - square, 0.25 * radius**2))
     return SLACK * peak - plan.size["sunk"]
