@@ -67,9 +67,18 @@ ProgramForm form_of(bool tcp, const std::string& reference, double chord, double
           chord_clear};
 }
 
-}  // namespace
+py::dict load_dict(const Kinematics& machine, const PosturePath& posture) {
+  const AxisLoad load = axis_load(machine, posture);
+  py::dict d;
+  d["rate"] = load.rate;
+  d["rate_axis"] = std::string(1, load.rate_axis);
+  d["rate_move"] = load.rate_move;
+  d["overtravel_mm"] = load.overtravel;
+  d["overtravel_axis"] = std::string(1, load.overtravel_axis);
+  return d;
+}
 
-void bind_kinematics(py::module_& m) {
+void bind_machine_chain(py::module_& m) {
   py::class_<Kinematics>(m, "Kinematics", "Rotary axes in chain order, from the work to the tool.")
       .def(py::init(&kinematics_of), py::arg("lowest"), py::arg("highest"), py::arg("work_zero"))
       .def("add_rotary", &add_rotary, py::arg("letter"), py::arg("side"), py::arg("direction"),
@@ -100,12 +109,18 @@ void bind_kinematics(py::module_& m) {
           py::arg("axis"), "Both ways to point the tool along `axis`, without limits and turns.")
       .def("pivot_referred", &pivot_referred, py::arg("point"), py::arg("joints"))
       .def("in_work_frame", &in_work_frame, py::arg("linear"), py::arg("joints"));
+}
+
+void bind_form(py::module_& m) {
   py::class_<ProgramForm>(m, "ProgramForm", "With TCP or without; programmed point; chords [mm].")
       .def(py::init(&form_of), py::arg("tcp") = true, py::arg("reference") = "tip",
            py::arg("chord") = 1e-3, py::arg("chord_clear") = 0.0)
       .def_readonly("tcp", &ProgramForm::tcp);
   m.def("with_tool", &with_tool, py::arg("machine"), py::arg("tool_length"), py::arg("form"),
         py::arg("tool"), "`machine` with the tool length that the form's programmed point has.");
+}
+
+void bind_joints(py::module_& m) {
   m.def("plan_joints", &plan_dict, py::arg("machine"), py::arg("axes"), py::arg("clear"),
         py::arg("pole_tolerance") = 1e-9,
         "Joints along axes (n, 3) by least travel within limits; unwinding only where `clear`.");
@@ -137,19 +152,16 @@ void bind_kinematics(py::module_& m) {
       py::arg("posture"), py::arg("machine"), py::arg("form"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
       "What X Y Z are told, on the decimals; without TCP moves may be split.");
-  m.def(
-      "axis_load",
-      [](const Kinematics& machine, const PosturePath& posture) {
-        const AxisLoad load = axis_load(machine, posture);
-        py::dict d;
-        d["rate"] = load.rate;
-        d["rate_axis"] = std::string(1, load.rate_axis);
-        d["rate_move"] = load.rate_move;
-        d["overtravel_mm"] = load.overtravel;
-        d["overtravel_axis"] = std::string(1, load.overtravel_axis);
-        return d;
-      },
-      py::arg("machine"), py::arg("posture"), "What a path asks of the axes, as shares of limits.");
+  m.def("axis_load", &load_dict, py::arg("machine"), py::arg("posture"),
+        "What a path asks of the axes, as shares of limits.");
+}
+
+}  // namespace
+
+void bind_kinematics(py::module_& m) {
+  bind_machine_chain(m);
+  bind_form(m);
+  bind_joints(m);
 }
 
 }  // namespace patchmill

@@ -1,4 +1,4 @@
-// G-code reading and FreeCAD text for Python.
+// G-code reading and writing, and FreeCAD text, for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/path_text.h"
@@ -32,9 +32,7 @@ std::string program_of(const std::vector<std::string>& texts, const std::string&
   return write_program(texts, style);
 }
 
-}  // namespace
-
-void bind_machine(py::module_& m) {
+void bind_text(py::module_& m) {
   py::class_<PathText>(m, "PathText", "Lines for Path.Path(), in parts; str() gives the whole.")
       .def("__len__", &PathText::parts)
       .def("__getitem__",
@@ -51,6 +49,9 @@ void bind_machine(py::module_& m) {
       py::arg("path"), py::arg("feed"), py::arg("decimals"), py::arg("exact_stop") = false,
       py::call_guard<py::gil_scoped_release>(),
       "A constant-feed path as text for Path.Path(text); `feed` [mm/s]. `exact_stop`: G61 first.");
+}
+
+void bind_reader(py::module_& m) {
   py::class_<ProgramSection>(m, "ProgramSection", "One tool, spindle speed and sense of a program.")
       .def_readonly("tool_number", &ProgramSection::tool_number)
       .def_readonly("path", &ProgramSection::path)
@@ -78,13 +79,6 @@ void bind_machine(py::module_& m) {
       "The sections of a program; with `rotary` its points as programmed, and the angles beside "
       "them. "
       "Raises InputError for anything not understood.");
-  m.def("write_program", &program_of, py::arg("texts"), py::arg("dialect"), py::kw_only(),
-        py::arg("precision") = 3, py::arg("line_numbers") = false, py::arg("comments") = true,
-        py::arg("modal") = false, py::arg("axis_modal") = false, py::arg("tool_length") = true,
-        py::arg("name") = "PATCHMILL", py::arg("header") = std::vector<std::string>(),
-        py::arg("preamble") = "", py::arg("postamble") = "", py::arg("smoothing_on") = "",
-        py::arg("smoothing_off") = "", py::call_guard<py::gil_scoped_release>(),
-        "The program of FreeCAD's path texts (Path.toGCode()) in a dialect.");
   py::class_<PlanMatch>(m, "PlanMatch", "How a path read back compares with its plan.")
       .def_readonly("complete", &PlanMatch::complete)
       .def_readonly("found", &PlanMatch::found)
@@ -93,6 +87,24 @@ void bind_machine(py::module_& m) {
       .def_readonly("lost_moves", &PlanMatch::lost_moves);
   m.def("match_plan", &match_plan, py::arg("read"), py::arg("plan"), py::arg("tolerance"),
         "Gives the moves of `read` the kinds and dimple numbers of `plan`, in place.");
+}
+
+void bind_writer(py::module_& m) {
+  m.def("write_program", &program_of, py::arg("texts"), py::arg("dialect"), py::kw_only(),
+        py::arg("precision") = 3, py::arg("line_numbers") = false, py::arg("comments") = true,
+        py::arg("modal") = false, py::arg("axis_modal") = false, py::arg("tool_length") = true,
+        py::arg("name") = "PATCHMILL", py::arg("header") = std::vector<std::string>(),
+        py::arg("preamble") = "", py::arg("postamble") = "", py::arg("smoothing_on") = "",
+        py::arg("smoothing_off") = "", py::call_guard<py::gil_scoped_release>(),
+        "The program of FreeCAD's path texts (Path.toGCode()) in a dialect.");
+}
+
+}  // namespace
+
+void bind_machine(py::module_& m) {
+  bind_text(m);
+  bind_reader(m);
+  bind_writer(m);
 }
 
 }  // namespace patchmill

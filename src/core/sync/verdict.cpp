@@ -31,12 +31,6 @@ void remove_offset(std::vector<PhaseError>& errors, Angle period) {
   for (PhaseError& e : errors) e.error = e.error - rest;
 }
 
-struct Attempt {
-  bool holds = false, known = true;
-  Angle rms, largest;
-  std::string trouble;
-};
-
 }  // namespace
 
 PredictedPhase predicted_phase(const ToolPath& path, const MotionModel& model,
@@ -71,16 +65,30 @@ PredictedPhase predicted_phase(const ToolPath& path, const MotionModel& model,
   return result;
 }
 
-Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle& spindle,
-              const MotionModel& model, const std::vector<Angle>& wanted, Angle period,
-              const PhaseLimits& limits, double slack) {
-  const auto attempt = [&](double speed) {
+namespace {
+
+struct Attempt {
+  bool holds = false, known = true;
+  Angle rms, largest;
+  std::string trouble;  // why there is no path, or why its phase is not known
+};
+
+// The spindle speeds at which a plan holds its phase.
+struct Trial {
+  const std::function<ToolPath(const Spindle&)>& plan;
+  const Spindle& spindle;
+  const MotionModel& model;
+  const std::vector<Angle>& wanted;
+  Angle period;
+  const PhaseLimits& limits;
+  double slack;
+
+  Attempt at(double speed) const {
     Attempt result;
     try {
-      Spindle at = spindle;
-      at.speed = speed;
-      const ToolPath path = plan(at);
-      result.holds = true;
+      Spindle turning = spindle;
+      turning.speed = speed;
+      const ToolPath path = plan(turning);
       for (const double ratio : {1.0, 1.0 - slack, 1.0 + slack}) {
         const PredictedPhase phase = predicted_phase(path, model, wanted, period, ratio);
         if (!phase.known) return Attempt{false, false, {}, {}, phase.reason};
@@ -90,13 +98,39 @@ Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle
       }
       result.holds = !(result.rms > limits.rms) && !(result.largest > limits.largest);
     } catch (const InputError& error) {
-      result.holds = false;
       result.trouble = error.what();
     }
     return result;
-  };
+  }
 
-  const Attempt planned = attempt(spindle.speed);
+  /// The highest speed that holds, below the spindle's own, which does not; 0 if none does [rev/s].
+  double highest() const {
+    double fast = spindle.speed, slow = fast * kCoarse;
+    while (slow > kSlowest * spindle.speed && !at(slow).holds) {
+      fast = slow;
+      slow *= kCoarse;
+    }
+    if (slow <= kSlowest * spindle.speed) return 0.0;
+    for (int i = 0; i < kBisections; ++i) {
+      const double middle = 0.5 * (slow + fast);
+      (at(middle).holds ? slow : fast) = middle;
+    }
+    return slow;
+  }
+};
+
+std::string off_by(const Attempt& attempt) {
+  return fmt::format("off by up to {:.{}f} degrees ({:.1f} rms)", attempt.largest.degrees(),
+                     attempt.holds ? 1 : 0, attempt.rms.degrees());
+}
+
+}  // namespace
+
+Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle& spindle,
+              const MotionModel& model, const std::vector<Angle>& wanted, Angle period,
+              const PhaseLimits& limits, double slack) {
+  const Trial trial{plan, spindle, model, wanted, period, limits, slack};
+  const Attempt planned = trial.at(spindle.speed);
   Verdict verdict;
   verdict.rms = planned.rms;
   verdict.largest = planned.largest;
@@ -105,36 +139,22 @@ Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle
     verdict.sentence = "Unknown: " + planned.trouble + ".";
     return verdict;
   }
-  const std::string off =
-      planned.trouble.empty()
-          ? fmt::format("the phase would be off by up to {:.0f} degrees ({:.1f} rms)",
-                        planned.largest.degrees(), planned.rms.degrees())
-          : planned.trouble;
   if (planned.holds) {
     verdict.holding = Holding::Holds;
-    verdict.sentence = fmt::format("Holds: the phase is off by up to {:.1f} degrees ({:.1f} rms).",
-                                   planned.largest.degrees(), planned.rms.degrees());
+    verdict.sentence = "Holds: the phase is " + off_by(planned) + ".";
     return verdict;
   }
-  double fast = spindle.speed, slow = fast * kCoarse;
-  while (slow > kSlowest * spindle.speed && !attempt(slow).holds) {
-    fast = slow;
-    slow *= kCoarse;
-  }
-  if (slow <= kSlowest * spindle.speed) {
+  const std::string why =
+      planned.trouble.empty() ? "the phase would be " + off_by(planned) : planned.trouble;
+  verdict.speed = trial.highest();
+  if (verdict.speed == 0.0) {
     verdict.holding = Holding::Cannot;
-    verdict.speed = 0.0;
-    verdict.sentence = "Cannot hold: " + off + ", and no slower spindle helps.";
+    verdict.sentence = "Cannot hold: " + why + ", and no slower spindle helps.";
     return verdict;
-  }
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (slow + fast);
-    (attempt(middle).holds ? slow : fast) = middle;
   }
   verdict.holding = Holding::HoldsUpTo;
-  verdict.speed = slow;
   verdict.sentence = fmt::format("Holds up to {:.0f} rpm: at {:.0f} rpm {}.",
-                                 std::floor(60.0 * slow), 60.0 * spindle.speed, off);
+                                 std::floor(60.0 * verdict.speed), 60.0 * spindle.speed, why);
   return verdict;
 }
 
