@@ -6,7 +6,7 @@
 #include "core/marks/simulate.h"
 #include "core/sync/constant_feed.h"
 #include "core/sync/contact_azimuth.h"
-#include "sync/bezier_dimples.h"
+#include "patch/table1_surface.h"
 
 #include <cmath>
 #include <cstdio>

@@ -5,18 +5,15 @@
 // ball (1: the ball centre is programmed), side, patches, extra. The machine's axes are off its zero by the
 // numbers that the harness gives LinuxCNC. Prints one line of key=value.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bezier.h"
-#include "core/geometry/error.h"
 #include "core/machine/programmed_path.h"
 #include "core/machine/rs274_text.h"
 #include "core/sync/constant_feed.h"
 #include "core/sync/paced_path.h"
 #include "core/sync/postures.h"
 #include "core/sync/tool_axis.h"
+#include "program_maker.h"
 
 #include <fstream>
-#include <iostream>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -25,19 +22,6 @@ namespace {
 
 const Decimals kDecimals(4);
 const BallEndMill kTool{1.0, 2};
-constexpr double kSpacing = 0.5;
-
-struct Options {
-  std::map<std::string, std::string> words;
-  double number(const std::string& key, double otherwise) const {
-    const auto at = words.find(key);
-    return at == words.end() ? otherwise : std::stod(at->second);
-  }
-  std::string word(const std::string& key, const std::string& otherwise) const {
-    const auto at = words.find(key);
-    return at == words.end() ? otherwise : at->second;
-  }
-};
 
 // xyzac-trt-kins and xyzbc-trt-kins, with the offsets of tests/controller/harness
 Kinematics machine_of(const std::string& name) {
@@ -112,30 +96,17 @@ void write(const Dimples& dimples, const PosturePath& work, const PosturePath& t
   }
 }
 
-int run(int argc, char** argv) {
-  if (argc < 6) {
-    std::cerr << "make_five_axis MACHINE FORM ACCELERATION VELOCITY OUT [key=value ...]\n";
-    return 2;
-  }
-  Options options;
-  for (int i = 6; i < argc; ++i) {
-    const std::string word = argv[i];
-    const std::size_t equals = word.find('=');
-    options.words[word.substr(0, equals)] = word.substr(equals + 1);
-  }
-  MotionModel model;
-  model.acceleration = std::stod(argv[3]);
-  model.velocity = std::stod(argv[4]);
-  model.spindle_lock = true;
+void run(int argc, char** argv) {
+  const Options options(argc, argv, 6);
+  const MotionModel model = locked_model(argv[3], argv[4]);
   ProgramForm form;
   form.tcp = std::string(argv[2]) == "tcp";
   form.chord = options.number("chord", 1e-3);
   form.chord_clear = options.number("clear", 0.05);
   form.reference =
       options.number("ball", 0.0) > 0.0 ? ReferencePoint::BallCentre : ReferencePoint::Tip;
-  const int patches = static_cast<int>(options.number("patches", 1));
-  const Dimples dimples = bezier_patches(-27.5, -27.5, static_cast<int>(options.number("side", 14)),
-                                         kSpacing, patches > 1 ? 2 : 1, patches > 2 ? 2 : 1);
+  const Dimples dimples = corner_dimples(static_cast<int>(options.number("side", 14)),
+                                         static_cast<int>(options.number("patches", 1)));
   ToolAxisRule rule;
   rule.mode = ToolAxisMode::Normal;
   rule.lead = Angle::degrees(options.number("lead", 15.0));
@@ -161,17 +132,13 @@ int run(int argc, char** argv) {
   std::cout << fmt::format("moves={} told={} C={:.3f}..{:.3f} tilting={:.3f}..{:.3f}\n",
                            work.path.moves.size(), told.path.moves.size(), low[0], high[0], low[1],
                            high[1]);
-  return 0;
 }
 
 }  // namespace
 }  // namespace patchmill
 
 int main(int argc, char** argv) {
-  try {
-    return patchmill::run(argc, argv);
-  } catch (const patchmill::InputError& error) {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
+  return patchmill::run_or_tell(
+      patchmill::run, argc, argv, 5,
+      "make_five_axis MACHINE FORM ACCELERATION VELOCITY OUT [key=value ...]");
 }

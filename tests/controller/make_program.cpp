@@ -4,34 +4,24 @@
 // STRATEGY: constant | feed | inverse | locked. Writes OUT.ngc and OUT.csv; prints one line of
 // key=value.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bezier.h"
-#include "core/geometry/error.h"
 #include "core/machine/predict_motion.h"
 #include "core/machine/rs274_text.h"
 #include "core/sync/constant_feed.h"
 #include "core/sync/contact_azimuth.h"
 #include "core/sync/fit_stops.h"
 #include "core/sync/paced_path.h"
+#include "program_maker.h"
 
 #include <fstream>
-#include <iostream>
-#include <map>
 
 #include <fmt/format.h>
 
 namespace patchmill {
 namespace {
 
-constexpr double kSpacing = 0.5, kRadius = 1.0, kFeed = 434.413 / 60.0;
+constexpr double kRadius = 1.0, kFeed = 434.413 / 60.0;
 constexpr int kSide = 14;
 const Decimals kDecimals(4);
-
-using Options = std::map<std::string, std::string>;
-
-double number(const Options& options, const std::string& key, double otherwise) {
-  const auto at = options.find(key);
-  return at == options.end() ? otherwise : std::stod(at->second);
-}
 
 struct Job {
   std::string strategy, out;
@@ -46,22 +36,22 @@ ToolPath plan(const Job& job, Spindle spindle) {
   if (job.strategy == "constant") {
     ConstantFeed rule;  // the paper's own: section 3.2, Table 2
     rule.feed = kFeed;
-    rule.phase.extra_turns = number(job.options, "extra", 5.0);
+    rule.phase.extra_turns = job.options.number("extra", 5.0);
     rule.phase.flutes =
-        number(job.options, "same", 0.0) > 0.0 ? FluteChoice::Same : FluteChoice::Any;
-    rule.phase.step = Angle::degrees(number(job.options, "step", 0.0));
+        job.options.number("same", 0.0) > 0.0 ? FluteChoice::Same : FluteChoice::Any;
+    rule.phase.step = Angle::degrees(job.options.number("step", 0.0));
     rule.safe_height = 30.0;
     rule.clearance_height = 32.0;
     const ToolPath path = constant_feed_path(job.dimples, kTool, spindle, rule, kDecimals);
-    if (number(job.options, "fit", 0.0) <= 0.0) return path;
+    if (job.options.number("fit", 0.0) <= 0.0) return path;
     const double period = phase_period(kTool.flutes, rule.phase.flutes).turns();
     return fit_to_stops(path, job.model, posted_feed(kFeed, kDecimals), period, kDecimals).path;
   }
   PacedRule rule;
-  rule.phase.step = Angle::degrees(number(job.options, "step", 0.0));
+  rule.phase.step = Angle::degrees(job.options.number("step", 0.0));
   rule.pace = job.strategy == "locked" ? Pace::SpindleLocked : Pace::Feed;
-  rule.turnarounds = number(job.options, "turnarounds", 1.0) > 0.0;
-  rule.lift = number(job.options, "lift", rule.lift);
+  rule.turnarounds = job.options.number("turnarounds", 1.0) > 0.0;
+  rule.lift = job.options.number("lift", rule.lift);
   rule.safe_height = 30.0;
   rule.clearance_height = 32.0;
   return paced_path(job.dimples, kTool, spindle, rule, job.model, kDecimals).path;
@@ -71,7 +61,7 @@ void write(const Job& job, const ToolPath& path) {
   const FeedWord word = job.strategy == "inverse" ? FeedWord::InverseTime : FeedWord::PerMinute;
   const Rs274Text text = rs274_text(path, job.model, kDecimals, word);
   std::ofstream(job.out + ".ngc") << text.text;
-  const Prediction prediction = predict(path, job.model, number(job.options, "ratio", 1.0));
+  const Prediction prediction = predict(path, job.model, job.options.number("ratio", 1.0));
   std::ofstream table(job.out + ".csv");
   table << "line,x,y,z,azimuth_deg,patch,planned_turns,predicted_s,predicted_turns,px,py,pz,nx,ny,"
            "nz\n";
@@ -97,40 +87,21 @@ void write(const Job& job, const ToolPath& path) {
                            path.moves.size(), (last - first) / static_cast<double>(count - 1));
 }
 
-int run(int argc, char** argv) {
-  if (argc < 6) {
-    std::cerr << "make_program STRATEGY ACCELERATION VELOCITY PATCHES OUT [key=value ...]\n";
-    return 2;
-  }
-  Job job;
-  job.strategy = argv[1];
-  job.model.acceleration = std::stod(argv[2]);
-  job.model.velocity = std::stod(argv[3]);
-  job.model.spindle_lock = true;
-  job.out = argv[5];
-  for (int i = 6; i < argc; ++i) {
-    const std::string word = argv[i];
-    const std::size_t equals = word.find('=');
-    job.options[word.substr(0, equals)] = word.substr(equals + 1);
-  }
-  job.model.tolerance = number(job.options, "tolerance", 0.0);
-  const int patches = std::stoi(argv[4]);
-  job.dimples =
-      bezier_patches(-27.5, -27.5, kSide, kSpacing, patches > 1 ? 2 : 1, patches > 2 ? 2 : 1);
+void run(int argc, char** argv) {
+  const Options options(argc, argv, 6);
+  Job job{argv[1], argv[5], locked_model(argv[2], argv[3]),
+          corner_dimples(kSide, std::stoi(argv[4])), options};
+  job.model.tolerance = options.number("tolerance", 0.0);
   Spindle spindle;
-  spindle.speed = number(job.options, "rpm", 1000.0) / 60.0;
+  spindle.speed = options.number("rpm", 1000.0) / 60.0;
   write(job, plan(job, spindle));
-  return 0;
 }
 
 }  // namespace
 }  // namespace patchmill
 
 int main(int argc, char** argv) {
-  try {
-    return patchmill::run(argc, argv);
-  } catch (const patchmill::InputError& error) {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
+  return patchmill::run_or_tell(
+      patchmill::run, argc, argv, 5,
+      "make_program STRATEGY ACCELERATION VELOCITY PATCHES OUT [key=value ...]");
 }

@@ -1,11 +1,9 @@
 # Synchronisation that a real controller holds: programs made by the core, run through LinuxCNC.
-add_executable(make_program ${CMAKE_CURRENT_LIST_DIR}/make_program.cpp
-               ${CMAKE_CURRENT_LIST_DIR}/bezier.cpp)
-target_link_libraries(make_program PRIVATE patchmill_core)
-
-add_executable(make_five_axis ${CMAKE_CURRENT_LIST_DIR}/make_five_axis.cpp
-               ${CMAKE_CURRENT_LIST_DIR}/bezier.cpp)
-target_link_libraries(make_five_axis PRIVATE patchmill_core)
+foreach(PROGRAM make_program make_five_axis)
+  add_executable(${PROGRAM} ${CMAKE_CURRENT_LIST_DIR}/${PROGRAM}.cpp)
+  target_include_directories(${PROGRAM} PRIVATE ${CMAKE_SOURCE_DIR}/tests/core)
+  target_link_libraries(${PROGRAM} PRIVATE patchmill_core)
+endforeach()
 
 foreach(GROUP SpindleLocked ConstantFeed Calibration Harness)
   add_test(NAME controller.synchronisation.${GROUP}

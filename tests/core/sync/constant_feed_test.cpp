@@ -4,12 +4,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/constant_feed.h"
 
-#include "bezier_dimples.h"
 #include "core/geometry/error.h"
 #include "core/sync/contact_azimuth.h"
 #include "core/sync/fit_length.h"
 #include "core/sync/link.h"
 #include "core/sync/phase_error.h"
+#include "patch/table1_surface.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

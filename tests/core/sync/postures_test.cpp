@@ -4,13 +4,13 @@
 #include "core/sync/postures.h"
 
 #include "../machine/machines.h"
-#include "bezier_dimples.h"
 #include "core/geometry/error.h"
 #include "core/machine/programmed_path.h"
 #include "core/sync/constant_feed.h"
 #include "core/sync/paced_path.h"
 #include "core/sync/phase_error.h"
 #include "core/sync/tool_axis.h"
+#include "patch/table1_surface.h"
 
 #include <gtest/gtest.h>
 
