@@ -73,7 +73,10 @@ class DcmPanel(Computing):
         file = removal_model.file_beside(self.obj.Document, self.obj.Name)
 
         def work(progress):
-            model, result = dressup_dcm.compute(given, file, progress)
+            made = dressup_dcm.compute(given, file, progress)
+            if made is None:
+                return None
+            model, result = made
             feed = model.feed(given.low, given.high)
             return model, result, feed, core.path_display(result.path), (given.low, given.high)
 

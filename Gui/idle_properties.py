@@ -40,8 +40,10 @@ def _axis(obj):
         fixed: {"FixedAxis"},
         normal: {"Lead", "Tilt", "LeadTowards", "AxisSmoothing"},
         minimum: {"FixedAxis", "MinimumLead", "LeadTowards", "AxisSmoothing"},
-        field: {"AxisSmoothing", "MinimumLead"},
+        field: {"AxisSmoothing", "MinimumLead", "LeadTowards", "PostureField", "FieldVoxelSize"},
     }[obj.ToolAxisMode]
+    if obj.PostureField is not None:
+        used.discard("FieldVoxelSize")
     always = {"ToolAxisMode", "WidestTilt", "RowTolerance", "ProgramForm", "GaugeLength"}
     if obj.ToolAxisMode == fixed:
         always -= {"WidestTilt", "RowTolerance"}

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from patchmill import machines
+from patchmill import axis_field, machines
 
 from patchmill_gui.resources import native
 
@@ -171,13 +171,13 @@ class FileRow(TextRow):
 
 
 class ObjectRow(Row):
-    """One of the document's objects with a shape, or none."""
+    """One of the document's objects that fit, with a shape if nothing else is asked, or none."""
 
-    def __init__(self, name, obj):
+    def __init__(self, name, obj, fits=lambda other: hasattr(other, "Shape")):
         editor = QtGui.QComboBox()
         editor.addItem("(none)", "")
         for other in obj.Document.Objects:
-            if hasattr(other, "Shape") and other is not obj:
+            if fits(other) and other is not obj and obj not in other.OutListRecursive:
                 editor.addItem(other.Label, other.Name)
         self.name = name
         super().__init__(editor, editor.currentIndexChanged)
@@ -259,6 +259,8 @@ def row_for(kind, name, obj):
     """The Row for a property of FreeCAD type `kind`."""
     if name == "Machine":
         return MachineRow(name, obj)
+    if name == "PostureField":
+        return ObjectRow(name, obj, axis_field.gives_field)
     if kind in QUANTITIES:
         return QuantityRow(name, obj)
     if kind in ("App::PropertyInteger", "App::PropertyIntegerConstraint"):

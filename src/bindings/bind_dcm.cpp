@@ -5,6 +5,7 @@
 #include "brep/read_shape.h"
 #include "brep/tessellate.h"
 #include "core/geometry/error.h"
+#include "core/voxel/field_reader.h"
 #include "core/voxel/field_view.h"
 #include "core/voxel/transient.h"
 #include "core/voxel/voxel_file.h"
@@ -119,6 +120,18 @@ py::tuple arrows_tuple(const VoxelGrid& grid, const PostureField& posture, int s
                         rows_of(arrows, [](const FieldArrow& a) { return a.axis; }));
 }
 
+// Zero rows where the field has no axis.
+py::array_t<double> axes_at(const VoxelGrid& grid, const PostureField& posture,
+                            const Points& points) {
+  std::vector<Vec3> axes;
+  {
+    const py::gil_scoped_release release;
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+      axes.push_back(read_axis(grid, posture, points.row(i)).value_or(Vec3::Zero()));
+  }
+  return rows_of(axes, [](const Vec3& v) { return v; });
+}
+
 // The paper's explicit steps of the feed along x, y and z to a time.
 std::pair<FeedField, int> transient_feed(const VoxelGrid& grid, const FeedLimits& limits,
                                          const std::string& exterior,
@@ -183,6 +196,8 @@ void bind_grid(py::module_& m) {
            py::arg("direction") = Vec3(Vec3::UnitX()), py::arg("posture") = nullptr,
            "One layer at right angles to axis 0, 1 or 2: kind (rows, columns), origin, pitch, and "
            "feed [mm/s] and unit axis (rows, columns, 3) of the fields given; NaN elsewhere.")
+      .def("axes_at", &axes_at, py::arg("posture"), py::arg("points"),
+           "Unit axes at (n, 3) points [mm], interpolated; upright in air, zero inside the part.")
       .def("arrows", &arrows_tuple, py::arg("posture"), py::arg("stride") = 2,
            "(places, unit axes), both (n, 3), of every stride-th voxel to be removed.");
   m.def(

@@ -81,20 +81,10 @@ def input_of(obj):
             operation.Label,
             "a texture's feed is its timing and its axis sets the phase: choose another operation.",
         )
-    stock, part = removal_model.job_shapes(job)
+    model = removal_model.input_of(obj, job, posture)
     limits = _limits(obj)
     return DcmInput(
-        model=removal_model.ModelInput(
-            stock,
-            part,
-            obj.VoxelSize.Value,
-            obj.Deflection.Value,
-            obj.MemoryLimit,
-            posture,
-            obj.PostureForm,
-            obj.Exterior,
-            obj.TiltLimit.Value,
-        ),
+        model=model,
         commands=obj.Base.Path.Commands,
         label=obj.Base.Label,
         tool=_tool(operation, posture),

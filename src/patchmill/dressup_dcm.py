@@ -142,9 +142,9 @@ class DressupDCM:
 
 def compute(given, file, progress=None):
     """(RemovalModel, dcm.Result) of a DcmInput, without touching a document: for any thread. `file`: where
-    the model is kept, or ''. Raises InputError."""
+    the model is kept, or ''. None if `progress` (share -> bool) returned False. Raises InputError."""
     model = removal_model.make(given.model, file, progress)
-    return model, dcm.apply(given, model)
+    return model and (model, dcm.apply(given, model))
 
 
 def add_properties(obj):

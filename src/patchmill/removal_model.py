@@ -67,7 +67,8 @@ class RemovalModel:
 
 def make(given, file="", progress=None):
     """The RemovalModel of a ModelInput: one that is in use, the one in `file`, or a new one, which is then
-    written to `file` (if that is not ''). Raises InputError naming Stock, Model, VoxelSize or MemoryLimit."""
+    written to `file` (if that is not ''). None if `progress` (share -> bool) returned False. Raises InputError
+    naming Stock, Model, VoxelSize or MemoryLimit."""
     _check(given)
     part = _solid(given.part, given.deflection, "Model")
     stock = _solid(given.stock, given.deflection, "Stock")
@@ -79,6 +80,8 @@ def make(given, file="", progress=None):
         model = RemovalModel(given, *found, stock, part, True)
     else:
         model = _new(given, stock, part, progress)
+        if model is None:
+            return None
         if file:
             core.save_voxels(file, key, model.grid, model.posture)
     _in_use[key] = model
@@ -119,7 +122,7 @@ def _new(given, stock, part, progress):
             grid, part, given.form, given.exterior, math.radians(given.tilt_limit), progress=progress
         )
         if posture.cancelled:
-            raise InputError("VoxelSize", "%g mm" % given.pitch, "cancelled: recompute to try again.")
+            return None
         if not posture.converged:
             raise InputError(
                 "VoxelSize",
@@ -131,6 +134,23 @@ def _new(given, stock, part, progress):
 
 def _solid(brep, deflection, name):
     return core.solid_of_brep(brep, deflection, name)
+
+
+def input_of(obj, job, posture):
+    """ModelInput of an object with the voxel properties of a DressupDCM. Raises InputError naming Stock or
+    Model."""
+    stock, part = job_shapes(job)
+    return ModelInput(
+        stock,
+        part,
+        obj.VoxelSize.Value,
+        obj.Deflection.Value,
+        obj.MemoryLimit,
+        posture,
+        obj.PostureForm,
+        obj.Exterior,
+        obj.TiltLimit.Value,
+    )
 
 
 def job_shapes(job):

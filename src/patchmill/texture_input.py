@@ -61,7 +61,7 @@ class TextureInput:
     axis_smoothing: float = 0.0
     widest_tilt: float = 180.0
     row_tolerance: float = 10.0
-    posture_field: object = None  # positions, normals -> (n, 3) axes
+    posture_field: object = None  # positions, normals -> (n, 3) axes; an axis_field.AxisField, for one
     program_form: str = "As the machine"
     gauge_length: float = 0.0  # to the tip, for heads without TCP [mm]
     form: str = "Lattice"  # or Matsuda's "Free"; then these count, and feed_per_tooth 0 is that of the feed

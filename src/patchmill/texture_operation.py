@@ -15,7 +15,7 @@ import Part
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import hooks, host
+from patchmill import axis_field, hooks, host
 from patchmill.texture_mask import MaskInput, curve_loops
 from patchmill.texture_plan import PlannedTexture, TextureInput, plan_texture
 from patchmill.texture_properties import PROPERTIES, RESULTS, of_setup_sheet
@@ -59,7 +59,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
     planned = None
     error = None
     ready = None
-    posture_field = None  # for ToolAxisMode Field: (positions, normals) -> (n, 3) axes; not saved
+    posture_field = None  # instead of PostureField: (positions, normals) -> (n, 3) axes; not saved
 
     def opFeatures(self, obj):
         op = host.PathOp
@@ -141,16 +141,17 @@ class ObjectTexture(host.PathOp.ObjectOp):
                 "%g rpm" % speed,
                 "give a whole number greater than zero: posts write S so.",
             )
+        tool = _tool(controller)
         return TextureInput(
             breps=_face_breps(obj),
-            tool=_tool(controller),
+            tool=tool,
             spindle=core.Spindle(speed / 60.0, _sense(controller)),
             feed=controller.HorizFeed.Value,
             surface=self.patch_surface(obj),
             origin=None if obj.AutoOrigin else tuple(obj.Origin),
             mask=_mask(obj),
             calibrating=self.CALIBRATING,
-            posture_field=self.posture_field,
+            posture_field=self.posture_field or axis_field.of(obj, tool.radius),
             **_values(obj, PROPERTIES + self.OWN_PROPERTIES),
         )
 
@@ -160,7 +161,8 @@ def _values(obj, properties):
     lengths in mm, angles in degrees."""
     names = {re.sub(r"(?<!^)([A-Z])", r"_\1", name).lower(): name for _, name, _, _, _ in properties}
     names.update(safe_height="SafeHeight", clearance_height="ClearanceHeight")
-    names.pop("origin")
+    for name in ("origin", "posture_field"):
+        names.pop(name)
     return {
         field.name: _plain(getattr(obj, names[field.name]))
         for field in fields(TextureInput)
@@ -247,6 +249,7 @@ def create(proxy_class, name, obj, parentJob):
 def recompute(obj):
     """Recomputes one operation and returns its PlannedTexture. Raises InputError if it cannot be
     planned; FreeCAD itself would only mark the object."""
+    obj.Proxy.planned = obj.Proxy.error = None
     obj.touch()
     obj.Document.recompute()
     return planned(obj)
@@ -262,7 +265,21 @@ def planned(obj):
     if proxy.error is not None:
         raise proxy.error
     if proxy.planned is None:
-        raise InputError(
-            obj.Label, "not computed", "FreeCAD refused it: check its job, base faces and tool."
-        )
+        raise _refused_by_freecad(obj)
     return proxy.planned
+
+
+def _refused_by_freecad(obj):
+    """The InputError for an operation that FreeCAD did not execute."""
+    broken = [name for name in obj.PropertiesList if "Invalid" in _state_of(getattr(obj, name))]
+    if broken:
+        other = getattr(obj, broken[0]).Label
+        return InputError(broken[0], other, "it has an error, so that nothing after it is computed: mend it.")
+    return InputError(
+        obj.Label, "not computed", "FreeCAD refused it: check its job, base faces and tool."
+    )
+
+
+def _state_of(value):
+    """What FreeCAD says of a linked object; nothing for other values."""
+    return value.State if hasattr(value, "TypeId") and hasattr(value, "State") else []

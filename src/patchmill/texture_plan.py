@@ -124,6 +124,8 @@ def place_texture(given, progress=None):
     core.keep_off_borders(placed.dimples, given.breps, given.margin)
     if given.mask:
         _apply_mask(placed)
+    if not tool_posture.field_ready(given, _share(progress, 0.0, 0.0)):
+        return None
     _keep_off_tip(placed)
     core.drop_slivers(placed.dimples, given.minimum_dimples)
     return placed

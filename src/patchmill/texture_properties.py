@@ -39,6 +39,14 @@ AXIS_PROPERTIES = [
         FreeCAD.Vector(0, 0, 0),
     ),
     (
+        "App::PropertyLink",
+        "PostureField",
+        "Tool axis",
+        "DCM modifier whose voxel model gives the axes; none: the job's stock less its model",
+        None,
+    ),
+    ("App::PropertyLength", "FieldVoxelSize", "Tool axis", "Side of a voxel if no modifier is named", 2.0),
+    (
         "App::PropertyAngle",
         "AxisSmoothing",
         "Tool axis",

@@ -38,6 +38,13 @@ def is_vertical(given):
     return given.tool_axis_mode == "Fixed" and x == 0.0 and y == 0.0 and z > 0.0
 
 
+def field_ready(given, progress=None):
+    """Makes the voxel model that the axes come from, if they do; False if `progress` (share -> bool) returned
+    False. Raises InputError."""
+    prepare = getattr(given.posture_field, "prepare", None)
+    return prepare is None or prepare(progress)
+
+
 def axes(given, dimples):
     """(n, 3) unit tool axes for dimples, as the operation asks for them. Raises InputError."""
     if given.tool_axis_mode not in MODES:
@@ -45,7 +52,7 @@ def axes(given, dimples):
     field = None
     if given.tool_axis_mode == "Field":
         if given.posture_field is None:
-            raise InputError("PostureField", "none", "give the operation's proxy a posture_field.")
+            raise InputError("PostureField", "none", "give a function of positions and normals.")
         field = np.asarray(given.posture_field(dimples.positions, dimples.normals), dtype=float)
     found = core.tool_axes(
         dimples,

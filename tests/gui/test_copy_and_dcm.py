@@ -75,6 +75,34 @@ class CopyAndDcm(driver.BlockTest):
         self.assertGreater(feeds.max(), feeds.min() + 50.0)  # mm/min: not one feed for all
         self.assertLessEqual(feeds.max(), 800.0 * 1.001)
 
+    def test_a_texture_takes_its_axes_from_the_voxels(self):
+        operation = self.copy_milled()
+        operation.ToolController.SpindleSpeed = 100  # rpm: time for C to turn
+        dressup, panel = self.begin_dcm(operation)
+        self.accept(panel)
+        driver.select(self.part, driver.top_face(self.part.Shape))
+        FreeCADGui.runCommand("PatchMill_CurvedTexture")
+        texture = self.document.getObject("CurvedTexture")
+        panel = driver.panel_of(texture)
+        self.assertTrue(driver.ready(panel))
+        rows = panel.page.properties.rows
+        self.assertTrue(rows["PostureField"].editor.isHidden())
+        rows["Machine"].editor.setCurrentText("table-table-ac")
+        rows["ToolAxisMode"].editor.setCurrentText("Field")
+        self.assertFalse(rows["PostureField"].editor.isHidden())
+        self.assertFalse(rows["FieldVoxelSize"].editor.isHidden())
+        choices = rows["PostureField"].editor
+        self.assertEqual([choices.itemText(i) for i in range(choices.count())], ["(none)", dressup.Label])
+        choices.setCurrentText(dressup.Label)
+        self.assertTrue(rows["FieldVoxelSize"].editor.isHidden())
+        self.assertTrue(driver.ready(panel))
+        self.assertIsNone(panel.error)
+        self.accept(panel)
+        self.assertEqual(texture.PostureField, dressup)
+        self.assertEqual(texture.State, ["Up-to-date"])
+        self.assertIsNotNone(texture.Proxy.planned.posture)
+        self.assertIsNotNone(texture.Proxy.planned.input.posture_field.model)
+
     def test_cancelled_dcm_gives_the_operation_back_to_its_job(self):
         operation = self.copy_milled()
         before = self.names()

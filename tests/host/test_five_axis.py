@@ -115,12 +115,13 @@ class FiveAxis(unittest.TestCase):
         plan, posted, _ = self.post(job, op)
         self.assertGreater(self.check_read_back(plan, posted).min(), 10.0 - 1e-2)
         op.ToolAxisMode = "Field"
-        with self.assertRaises(patchmill.InputError) as caught:
-            patchmill.recompute(op)
-        self.assertEqual(caught.exception.property, "PostureField")
         op.Proxy.posture_field = lambda places, normals: normals + (0.2, 0.1, 0.0)
+        op.MinimumLead = 14.0
         plan, posted, _ = self.post(job, op)
-        self.check_read_back(plan, posted)
+        self.assertGreater(self.check_read_back(plan, posted).min(), 14.0 - 1e-2)
+        op.MinimumLead = 0.0
+        plan, posted, _ = self.post(job, op)
+        self.assertLess(self.check_read_back(plan, posted).max(), 13.0)
 
     def test_any_path_with_tool_axes(self):
         """What copy milling with a posture field needs: a path with axes, and a machine."""

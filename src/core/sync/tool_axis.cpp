@@ -81,7 +81,7 @@ class Axes {
   /// Within the widest angle from Z, and away from the normal; the latter counts more.
   Vec3 kept(std::size_t k, const Vec3& axis) const {
     const Vec3 t = drawn_within(axis, Vec3::UnitZ(), rule_.widest.radians());
-    if (rule_.mode != ToolAxisMode::MinimumLead) return t;
+    if (rule_.mode == ToolAxisMode::Fixed || rule_.mode == ToolAxisMode::Normal) return t;
     const double least = rule_.least_lead.radians();
     if (angle_between(t, normal(k)) >= least) return t;
     const Vec3 instead = rule_.towards.norm() > 0.0 ? rule_.towards : Vec3(Vec3::UnitX());
@@ -125,7 +125,7 @@ void require_valid(const Dimples& dimples, const ToolAxisRule& rule) {
   for (std::size_t k = 0; k < dimples.size(); ++k)
     if (dimples[k].state == DimpleState::Cut && !(rule.field[k].norm() > 1e-9))
       throw InputError("PostureField", fmt::format("no direction at dimple {}", k),
-                       "give a vector other than zero.");
+                       "give a vector other than zero; a voxel model has none inside the part.");
 }
 
 }  // namespace

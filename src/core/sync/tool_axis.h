@@ -3,7 +3,7 @@
 //     Fixed        one axis for all: three axes, or 3 + 2
 //     Normal       t ~ n + tan(lead) f + tan(tilt) (n x f), f the feed or a fixed direction on the surface
 //     MinimumLead  a fixed axis, but leaned away from the normal where it is nearer than the least lead
-//     Field        axes given one by one, such as a posture field's (Kobayashi 2014)
+//     Field        axes given one by one, such as a posture field's (Kobayashi 2014), leaned away likewise
 // No rule can both keep a fixed axis wherever that is far enough from the normal and be continuous
 // where the normal passes it (there is no retraction of a disc on its rim): MinimumLead jumps there,
 // by twice the least lead. Smoothing draws the axes of neighbours together within a tolerance.
@@ -23,8 +23,8 @@ struct ToolAxisRule {
   ToolAxisMode mode = ToolAxisMode::Fixed;
   Vec3 axis = Vec3::UnitZ();  ///< Fixed, MinimumLead: unit, work frame
   Angle lead, tilt;           ///< Normal: -80 .. 80 degrees
-  Angle least_lead;           ///< MinimumLead: least angle between axis and normal, 0 .. 80 degrees
-  /// Normal: projected on the surface it is what `lead` leans towards; zero: the feed. MinimumLead:
+  Angle least_lead;  ///< MinimumLead, Field: least angle of axis and normal, 0 .. 80 degrees
+  /// Normal: projected on the surface it is what `lead` leans towards; zero: the feed. Others:
   /// leaned towards where normal and axis are parallel; zero: X.
   Vec3 towards = Vec3::Zero();
   std::vector<Vec3> field;  ///< Field: unit, one for each dimple; read where it is to be cut

@@ -109,6 +109,24 @@ TEST(ToolAxis, SmoothingStaysWithinItsTolerance) {
   EXPECT_LT(roughness(smooth), 0.2 * roughness(rough));
 }
 
+TEST(ToolAxis, AFieldIsTakenAsItIsButLeanedAwayFromTheNormal) {
+  const Dimples row = row_over_cylinder(61);
+  ToolAxisRule rule;
+  rule.mode = ToolAxisMode::Field;
+  for (std::size_t k = 0; k < row.size(); ++k)
+    rule.field.push_back((row[k].surface.normal + 0.01 * k * Vec3::UnitX()).normalized());
+  for (std::size_t k = 0; k < row.size(); ++k)
+    EXPECT_LT((tool_axes(row, rule)[k] - rule.field[k]).norm(), 1e-15);
+  rule.least_lead = Angle::degrees(10.0);
+  const auto axes = tool_axes(row, rule);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const double asked = between(rule.field[k], row[k].surface.normal);
+    const double now = between(axes[k], row[k].surface.normal);
+    EXPECT_NEAR(now, std::max(asked, rule.least_lead.radians()), 1e-9);
+    EXPECT_NEAR(between(axes[k], rule.field[k]), now - asked, 1e-9);
+  }
+}
+
 TEST(ToolAxis, WidestTiltIsKept) {
   ToolAxisRule rule = normal_rule(20.0, 0.0);
   rule.widest = Angle::degrees(25.0);
