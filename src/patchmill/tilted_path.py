@@ -16,7 +16,7 @@ from patchmill import machines
 RAPID = 0
 CENTRE_ERROR = 0.0005  # mm
 MOST_HALVINGS = 12
-BLEND = 0.005  # mm: LinuxCNC may round corners by so much
+BLEND = 0.0005  # mm: LinuxCNC may round corners by so much, and does
 
 
 def machine_of(name):

@@ -17,7 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from harness import controller, table  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
-RADIUS, BLEND = 3.0, 0.005
+RADIUS, CONTACT = 3.0, 0.001
 SCRIPT = """
 import json, os, sys
 sys.path.insert(0, %(tests)r)
@@ -93,9 +93,9 @@ class PostedPosture(unittest.TestCase):
         )  # fmt: skip
         self.assertGreater(down.sum(), 1000)
         self.assertGreater(tilt, 20.0)
-        # LinuxCNC rounds corners within BLEND in X Y Z; the ball is led there to 1 um
-        self.assertLess(off.max(), BLEND + 0.001)
-        self.assertLess((off**2).mean() ** 0.5, 0.5 * BLEND)
+        # half of it for the rounding of corners (G64 P0.0005), half for the way between ends of moves
+        self.assertLess(off.max(), CONTACT)
+        self.assertLess((off**2).mean() ** 0.5, 0.2 * CONTACT)
 
 
 if __name__ == "__main__":
