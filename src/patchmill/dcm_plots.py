@@ -117,7 +117,7 @@ def feed_figures(plt, tables, images):
     part.set_title("A part of it")
     for axes in (whole, part):
         axes.set_ylim(380, 820)
-    part.legend(loc="upper center", fontsize=8)
+    whole.legend(loc="center right", fontsize=8)  # the last layers are cut by no voxel: nothing below 800
     save(plt, figure, images, "dcm_feed_pass.png")
 
 
@@ -138,7 +138,7 @@ def posture_figures(plt, tables, images):
         smooth = read_table(os.path.join(tables, "posture_pass_y%d_smooth.csv" % y))
         plot_pass(axes, stairs, smooth, "b", "B [degrees]", *last_run(smooth))
         axes.set_title("Y = %d mm, finishing pass" % y)
-    grid[0, 0].legend(loc="lower right", fontsize=8)
+    grid[0, 0].legend(loc="upper right", fontsize=8)
     save(plt, figure, images, "dcm_posture_pass.png")
 
 
