@@ -50,7 +50,14 @@ class DcmPanel(Computing):
         self.axis, self.what = QtGui.QComboBox(), QtGui.QComboBox()
         self.axis.addItems([translate("across {}").format(a) for a in AXES])
         self.axis.setCurrentIndex(1)
-        self.what.addItems([translate("Feed"), translate("Posture"), translate("None")])
+        for key, name in (
+            ("feed", translate("Feed")),
+            ("tilt", translate("Posture")),
+            ("distance", translate("Distance to the product")),
+            ("material", translate("Material")),
+            ("none", translate("None")),
+        ):
+            self.what.addItem(name, key)
         self.what.setObjectName("SliceOf")
         self.place = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.place.setRange(0, SLIDER_STEPS)
@@ -97,24 +104,19 @@ class DcmPanel(Computing):
         """The coloured voxels of the slice that is chosen, from the last result."""
         if self.result is None:
             return
-        model, _, feed, _, (low, high) = self.result
-        grid, axis, what = model.grid, self.axis.currentIndex(), self.what.currentIndex()
-        self.scene.parts.switch("slice", what < 2)
+        model, _, feed, _, limits = self.result
+        axis, what = self.axis.currentIndex(), self.what.currentData()
+        shown = what != "none" and (what != "tilt" or model.posture is not None)
+        self.scene.parts.switch("slice", shown)
         self.legend.hide()
-        if what == 2 or (what == 1 and model.posture is None):
+        if not shown:
             return
         least, most = voxel_slices.slice_range(model, axis)
         place = least + (most - least) * self.place.value() / SLIDER_STEPS
-        if what == 0:
-            title, (low, high) = translate("feed [mm/min]"), (60.0 * low, 60.0 * high)
-            centres, values = voxel_slices.feed_slice(model, feed, axis, place)
-            values = 60.0 * values
-        else:
-            title, (low, high) = translate("tilt [°]"), (0.0, 90.0)
-            centres, values = voxel_slices.tilt_slice(model, axis, place)
-        display = core.slice_display(centres, list(values), 0.98 * grid.pitch, axis, low, high)
+        title, (low, high), digits, (centres, values) = _slice_of(what, model, feed, limits, axis, place)
+        display = core.slice_display(centres, list(values), 0.98 * model.grid.pitch, axis, low, high)
         self.scene.parts.show({"slice": display})
-        self.legend.show(title, low, high)
+        self.legend.show(title, low, high, digits)
 
     def show_arrows(self):
         on = self.arrows.isChecked() and self.result is not None
@@ -159,6 +161,22 @@ class DcmPanel(Computing):
             self.scene.parts.switch(part, False)
         FreeCADGui.Control.closeDialog()
         FreeCADGui.ActiveDocument.resetEdit()
+
+
+def _slice_of(what, model, feed, limits, axis, place):
+    """(title, (low, high), digits, (centres, values)) of a slice for display and legend."""
+    if what == "feed":
+        centres, values = voxel_slices.feed_slice(model, feed, axis, place)
+        ends = 60.0 * limits[0] * min(model.factors), 60.0 * limits[1] * max(model.factors)
+        return translate("feed [mm/min]"), ends, 0, (centres, 60.0 * values)
+    if what == "tilt":
+        return translate("tilt [°]"), (0.0, 90.0), 0, voxel_slices.tilt_slice(model, axis, place)
+    if what == "distance":
+        centres, values = voxel_slices.distance_slice(model, axis, place)
+        return translate("distance [mm]"), (0.0, max(values, default=1.0)), 1, (centres, values)
+    names = ", ".join("%d %s" % pair for pair in enumerate(model.material_names))
+    last = max(1, len(model.material_names) - 1)
+    return names, (0.0, last), 0, voxel_slices.material_slice(model, axis, place)
 
 
 class DcmView:

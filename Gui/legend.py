@@ -78,12 +78,12 @@ class LegendPlace:
     def __init__(self):
         self._root = self._legend = None
 
-    def show(self, title, low, high):
-        """A legend in the place of the last one; arguments as Legend's, values without decimals."""
+    def show(self, title, low, high, digits=0):
+        """A legend in the place of the last one; arguments as Legend's."""
         self.hide()
         view = FreeCADGui.ActiveDocument.ActiveView
         self._root = view.getSceneGraph()
-        self._legend = Legend(title, low, high, 0, view.getSize())
+        self._legend = Legend(title, low, high, digits, view.getSize())
         self._root.addChild(self._legend.root)
 
     def hide(self):

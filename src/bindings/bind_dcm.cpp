@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
+#include "bindings/voxel_materials.h"
 #include "brep/read_shape.h"
 #include "brep/tessellate.h"
 #include "core/geometry/error.h"
-#include "core/voxel/field_reader.h"
 #include "core/voxel/field_view.h"
 #include "core/voxel/transient.h"
 #include "core/voxel/voxel_file.h"
@@ -120,18 +120,6 @@ py::tuple arrows_tuple(const VoxelGrid& grid, const PostureField& posture, int s
                         rows_of(arrows, [](const FieldArrow& a) { return a.axis; }));
 }
 
-// Zero rows where the field has no axis.
-py::array_t<double> axes_at(const VoxelGrid& grid, const PostureField& posture,
-                            const Points& points) {
-  std::vector<Vec3> axes;
-  {
-    const py::gil_scoped_release release;
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-      axes.push_back(read_axis(grid, posture, points.row(i)).value_or(Vec3::Zero()));
-  }
-  return rows_of(axes, [](const Vec3& v) { return v; });
-}
-
 // The paper's explicit steps of the feed along x, y and z to a time.
 std::pair<FeedField, int> transient_feed(const VoxelGrid& grid, const FeedLimits& limits,
                                          const std::string& exterior,
@@ -196,8 +184,6 @@ void bind_grid(py::module_& m) {
            py::arg("direction") = Vec3(Vec3::UnitX()), py::arg("posture") = nullptr,
            "One layer at right angles to axis 0, 1 or 2: kind (rows, columns), origin, pitch, and "
            "feed [mm/s] and unit axis (rows, columns, 3) of the fields given; NaN elsewhere.")
-      .def("axes_at", &axes_at, py::arg("posture"), py::arg("points"),
-           "Unit axes at (n, 3) points [mm], interpolated; upright in air, zero inside the part.")
       .def("arrows", &arrows_tuple, py::arg("posture"), py::arg("stride") = 2,
            "(places, unit axes), both (n, 3), of every stride-th voxel to be removed.");
   m.def(
@@ -220,13 +206,14 @@ void bind_grid(py::module_& m) {
   m.def(
       "save_voxels",
       [](const std::string& path, const std::string& key, const VoxelGrid& grid,
-         const PostureField* posture) {
-        VoxelModel model{grid, std::nullopt};
+         const PostureField* posture, const VoxelMaterials* materials) {
+        VoxelModel model{grid, std::nullopt, {}};
         if (posture) model.posture = *posture;
+        if (materials) model.material = materials->number;
         write_voxel_model(path, key, model);
       },
       py::arg("path"), py::arg("key"), py::arg("grid"), py::arg("posture") = nullptr,
-      py::call_guard<py::gil_scoped_release>());
+      py::arg("materials") = nullptr, py::call_guard<py::gil_scoped_release>());
   m.def(
       "load_voxels",
       [](const std::string& path, const std::string& key) -> py::object {
@@ -234,9 +221,13 @@ void bind_grid(py::module_& m) {
         if (!model) return py::none();
         const py::object posture =
             model->posture ? py::cast(std::move(*model->posture)) : py::none();
-        return py::make_tuple(std::move(model->grid), posture);
+        const py::object materials = model->material.empty()
+                                         ? py::object(py::none())
+                                         : py::cast(VoxelMaterials{std::move(model->material)});
+        return py::make_tuple(std::move(model->grid), posture, materials);
       },
-      py::arg("path"), py::arg("key"), "(grid, posture or None), or None if made of other input.");
+      py::arg("path"), py::arg("key"),
+      "(grid, posture or None, materials or None), or None if made of other input.");
 }
 
 }  // namespace

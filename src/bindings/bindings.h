@@ -32,6 +32,7 @@ void bind_postures(py::module_& m);
 void bind_scene(py::module_& m);
 void bind_dcm(py::module_& m);
 void bind_dcm_path(py::module_& m);
+void bind_voxel_attributes(py::module_& m);
 void bind_marks(py::module_& m);
 void bind_checks(py::module_& m);
 

@@ -69,6 +69,7 @@ PYBIND11_MODULE(_patchmill, m) {
   patchmill::bind_scene(m);
   patchmill::bind_dcm(m);
   patchmill::bind_dcm_path(m);
+  patchmill::bind_voxel_attributes(m);
   patchmill::bind_marks(m);
   patchmill::bind_checks(m);
 }

@@ -10,6 +10,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 from dataclasses import dataclass, field
 
+import _patchmill as core
 from _patchmill import InputError
 
 from patchmill import host, removal_model
@@ -49,7 +50,7 @@ class AxisField:
 
     def __call__(self, positions, normals):
         self.prepare()
-        return self.model.grid.axes_at(self.model.posture, positions + self.radius * normals)
+        return core.axes_at(self.model.grid, self.model.posture, positions + self.radius * normals)
 
 
 def of(obj, radius):
@@ -59,7 +60,7 @@ def of(obj, radius):
         return None
     job = host.PathUtils.findParentJob(obj)
     if job is None:
-        raise InputError("PostureField", "none", "the texture belongs to no job that has a stock and a model.")
+        raise InputError("PostureField", "none", "the texture belongs to no job with a stock and a model.")
     dressup = obj.PostureField
     if dressup is None:
         stock, part = removal_model.job_shapes(job)

@@ -82,7 +82,7 @@ def input_of(obj):
             "a texture's feed is its timing and its axis sets the phase: choose another operation.",
         )
     model = removal_model.input_of(obj, job, posture)
-    limits = _limits(obj)
+    limits = _limits(obj, model)
     return DcmInput(
         model=model,
         commands=obj.Base.Path.Commands,
@@ -246,13 +246,14 @@ def _spindle(operation):
     )
 
 
-def _limits(obj):
+def _limits(obj, given):
     """The machine's, as arguments of DcmInput; nothing if no machine is named."""
     if not obj.Machine:
         return {}
     model = machines.load(obj.Machine).model
-    for name in ("FeedAtSkin", "FeedInAir"):
-        feed = getattr(obj, name).Value
+    largest = max([1.0] + [m.factor for m in given.materials])
+    for name, factor in (("FeedAtSkin", largest), ("FeedInAir", 1.0)):
+        feed = factor * getattr(obj, name).Value
         if feed > model.velocity:
             raise InputError(
                 name,

@@ -24,6 +24,14 @@ PROPERTIES = [
     ("App::PropertySpeed", "FeedInAir", "DCM", "Feed where nothing is left to cut; 0: as elsewhere", 0.0),
     ("App::PropertyBool", "KeepPlunges", "DCM", "Moves that go down steeply never get faster", True),
     (
+        "App::PropertyStringList",
+        "Materials",
+        "DCM",
+        "Other materials in the stock: 'name factor where', a factor on the feed, and a depth in mm below "
+        "the stock's surface or the name of a solid",
+        [],
+    ),
+    (
         "App::PropertyEnumeration",
         "Exterior",
         "DCM",

@@ -14,6 +14,9 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
+from patchmill import materials
+from patchmill.materials import OWN
+
 MIB = 1024.0 * 1024.0
 _in_use = weakref.WeakValueDictionary()
 
@@ -31,30 +34,49 @@ class ModelInput:
     form: str = "Angles"
     exterior: str = "Held"
     tilt_limit: float = 70.0
+    materials: tuple = ()  # of materials.Material: other than the stock's own
 
-    def key(self, stock, part):
+    def key(self, stock, part, bodies):
         """Says whether a saved model is of the same input. The shapes count by their triangles to 1e-6 mm,
         since a reopened document does not give back the same BREP texts."""
         digest = hashlib.sha256()
-        for solid in (stock, part):
+        for solid in (stock, part, *bodies):
             digest.update((np.round(solid.vertices, 6) + 0.0).tobytes())
             digest.update(solid.triangles.tobytes())
-        digest.update(repr((self.pitch, self.posture)).encode())
+        digest.update(repr((self.pitch, self.posture, [m.depth for m in self.materials])).encode())
         if self.posture:
             digest.update(repr((self.form, self.exterior, self.tilt_limit)).encode())
-        return "patchmill 1 " + digest.hexdigest()
+        return "patchmill 2 " + digest.hexdigest()
 
 
 class RemovalModel:
-    """`grid` and `posture` of _patchmill, `stock` and `part` as _patchmill.Solid; `loaded`: from the file."""
+    """`grid`, `posture` and `materials` of _patchmill, the last two None if not asked for; `stock` and `part`
+    as _patchmill.Solid; `loaded`: from the file."""
 
-    def __init__(self, given, grid, posture, stock, part, loaded):
-        self.given, self.grid, self.posture = given, grid, posture
+    def __init__(self, given, grid, posture, materials, stock, part, loaded):
+        self.given, self.grid, self.posture, self.materials = given, grid, posture, materials
         self.stock, self.part, self.loaded = stock, part, loaded
 
+    @property
+    def material_names(self):
+        """Names by the numbers that attributes_at gives."""
+        return [OWN] + [m.name for m in self.given.materials]
+
+    @property
+    def factors(self):
+        """On the feed, by material."""
+        return [1.0] + [m.factor for m in self.given.materials]
+
     def feed(self, low, high, transient=()):
-        """The _patchmill.FeedField between V_Lo and V_Hi [mm/s]: steady, or after a transient diffusion of
-        (time [s], step [s], diffusivity [mm^2/s], whether steps may be divided)."""
+        """The _patchmill.FeedField between V_Lo and V_Hi [mm/s], times the factor of each voxel's material:
+        steady, or after a transient diffusion of (time [s], step [s], diffusivity [mm^2/s], whether steps may
+        be divided)."""
+        field = self._diffused(low, high, transient)
+        if self.materials is None:
+            return field
+        return core.scale_feed(field, self.materials, self.factors)
+
+    def _diffused(self, low, high, transient):
         if not transient:
             return core.steady_feed(self.grid, low, high, self.given.exterior)
         names = {"time step": "TimeStep", "diffusion time": "DiffusionTime"}
@@ -64,26 +86,54 @@ class RemovalModel:
         except InputError as error:
             raise InputError(names.get(error.property, error.property), error.value, error.remedy) from error
 
+    def attributes_at(self, points, feed=None, direction=(1.0, 0.0, 0.0)):
+        """What the model says at (n, 3) points [mm]: a dict of kind (0 air, 1 part, 2 removal, 3 product
+        surface, 4 skin), distance to the product [mm], negative inside it, and material (-1: nothing to
+        remove); feed [mm/s] in a direction if a FeedField is given; axis (n, 3) if there is a posture. The
+        distance is measured to the part's triangles when asked for, so that no voxel has to keep it."""
+        points = np.asarray(points, dtype=float).reshape(-1, 3)
+        out = {
+            "kind": core.kinds_at(self.grid, points),
+            "distance": self.part.signed_distances(points),
+            "material": self._materials_at(points),
+        }
+        if feed is not None:
+            out["feed"] = core.feed_at(self.grid, feed, points, direction)
+        if self.posture is not None:
+            out["axis"] = core.axes_at(self.grid, self.posture, points)
+        return out
+
+    def _materials_at(self, points):
+        if self.materials is None:
+            return np.where(core.kinds_at(self.grid, points) > 1, 0, -1)
+        return core.materials_at(self.grid, self.materials, points)
+
 
 def make(given, file="", progress=None):
     """The RemovalModel of a ModelInput: one that is in use, the one in `file`, or a new one, which is then
-    written to `file` (if that is not ''). None if `progress` (share -> bool) returned False. Raises InputError
-    naming Stock, Model, VoxelSize or MemoryLimit."""
+    written to `file` (if that is not ''). None if `progress` (share -> bool) returned False. Raises
+    InputError naming Stock, Model, VoxelSize, MemoryLimit or Materials."""
     _check(given)
     part = _solid(given.part, given.deflection, "Model")
     stock = _solid(given.stock, given.deflection, "Stock")
-    key = given.key(stock, part)
-    if key in _in_use:
-        return _in_use[key]
-    found = core.load_voxels(file, key) if file else None
-    if found is not None:
-        model = RemovalModel(given, *found, stock, part, True)
+    bodies = [_solid(m.solid, given.deflection, "Materials") for m in given.materials]
+    key = given.key(stock, part, bodies)
+    known = _in_use.get(key)
+    if known is not None and known.given == given:
+        return known
+    if known is not None:  # the same voxels, but names, factors or the rule of the feed's exterior differ
+        kept = known.grid, known.posture, known.materials
+        model = RemovalModel(given, *kept, stock, part, known.loaded)
     else:
-        model = _new(given, stock, part, progress)
-        if model is None:
-            return None
-        if file:
-            core.save_voxels(file, key, model.grid, model.posture)
+        found = core.load_voxels(file, key) if file else None
+        if found is not None:
+            model = RemovalModel(given, *found, stock, part, True)
+        else:
+            model = _new(given, stock, part, bodies, progress)
+            if model is None:
+                return None
+            if file:
+                core.save_voxels(file, key, model.grid, model.posture, model.materials)
     _in_use[key] = model
     return model
 
@@ -110,7 +160,7 @@ def _check(given):
         raise InputError("MemoryLimit", "%g MiB" % given.memory_limit, "give more than zero.")
 
 
-def _new(given, stock, part, progress):
+def _new(given, stock, part, bodies, progress):
     try:
         grid = core.voxelise(stock, part, given.pitch, given.memory_limit * MIB)
     except InputError as error:  # the core's own names are not the properties'
@@ -129,7 +179,10 @@ def _new(given, stock, part, progress):
                 "%g mm" % given.pitch,
                 "the posture did not converge (residual %.1e): try another size." % posture.residual,
             )
-    return RemovalModel(given, grid, posture, stock, part, False)
+    found = None
+    if bodies:
+        found = core.materials_of(grid, [(b, m.depth) for b, m in zip(bodies, given.materials)])
+    return RemovalModel(given, grid, posture, found, stock, part, False)
 
 
 def _solid(brep, deflection, name):
@@ -137,8 +190,8 @@ def _solid(brep, deflection, name):
 
 
 def input_of(obj, job, posture):
-    """ModelInput of an object with the voxel properties of a DressupDCM. Raises InputError naming Stock or
-    Model."""
+    """ModelInput of an object with the voxel properties of a DressupDCM. Raises InputError naming Stock,
+    Model or Materials."""
     stock, part = job_shapes(job)
     return ModelInput(
         stock,
@@ -150,6 +203,7 @@ def input_of(obj, job, posture):
         obj.PostureForm,
         obj.Exterior,
         obj.TiltLimit.Value,
+        materials.of_lines(obj.Materials, obj.Document, stock),
     )
 
 

@@ -27,6 +27,24 @@ def tilt_slice(model, axis, place):
     return _scattered(section, axis, tilt_of(section["axis"]))
 
 
+def distance_slice(model, axis, place):
+    """(centres (n, 3) [mm], distance to the product (n,) [mm]) of the voxels of one layer."""
+    centres = _filled(model, axis, place)
+    return centres, np.abs(model.part.signed_distances(centres))
+
+
+def material_slice(model, axis, place):
+    """(centres (n, 3) [mm], number of the material (n,), by model.material_names) of one layer."""
+    centres = _filled(model, axis, place)
+    return centres, model.attributes_at(centres)["material"].astype(float)
+
+
+def _filled(model, axis, place):
+    """Centres of the voxels of one layer that are to be removed, or hold product surface."""
+    section = model.grid.section(axis, place)
+    return _scattered(section, axis, np.where(section["kind"] > 1, 1.0, np.nan))[0]
+
+
 def tilt_of(axes):
     """Angle of unit axes (..., 3) to Z [degrees]; NaN stays NaN."""
     return np.degrees(np.arccos(np.clip(axes[..., 2], -1.0, 1.0)))

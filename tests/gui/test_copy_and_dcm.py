@@ -66,6 +66,10 @@ class CopyAndDcm(driver.BlockTest):
         self.assertIsNone(panel.error)
         scene = dressup.ViewObject.Proxy.scene.parts
         self.assertTrue(scene.filled("slice") and scene.shown("slice"))
+        for choice, shown in (("Distance to the product", True), ("Material", True), ("None", False)):
+            panel.what.setCurrentText(choice)
+            self.assertEqual(scene.shown("slice"), shown, choice)
+        panel.what.setCurrentText("Feed")
         driver.accept(panel)
         self.assertFalse(scene.shown("slice"))
         path = tool_paths.path_of(dressup)
@@ -77,14 +81,11 @@ class CopyAndDcm(driver.BlockTest):
 
     def test_a_texture_takes_its_axes_from_the_voxels(self):
         operation = self.copy_milled()
-        operation.ToolController.SpindleSpeed = 100  # rpm: time for C to turn
+        self.document.getObject("Job").Stock.ExtZpos = 20  # room for long polygons
+        operation.ToolController.SpindleSpeed = 200  # rpm: time for C to turn
         dressup, panel = self.begin_dcm(operation)
-        self.accept(panel)
-        driver.select(self.part, driver.top_face(self.part.Shape))
-        FreeCADGui.runCommand("PatchMill_CurvedTexture")
-        texture = self.document.getObject("CurvedTexture")
-        panel = driver.panel_of(texture)
-        self.assertTrue(driver.ready(panel))
+        driver.accept(panel)
+        texture, panel = driver.begin_texture(self.part)
         rows = panel.page.properties.rows
         self.assertTrue(rows["PostureField"].editor.isHidden())
         rows["Machine"].editor.setCurrentText("table-table-ac")
@@ -97,7 +98,7 @@ class CopyAndDcm(driver.BlockTest):
         self.assertTrue(rows["FieldVoxelSize"].editor.isHidden())
         self.assertTrue(driver.ready(panel))
         self.assertIsNone(panel.error)
-        self.accept(panel)
+        driver.accept(panel)
         self.assertEqual(texture.PostureField, dressup)
         self.assertEqual(texture.State, ["Up-to-date"])
         self.assertIsNotNone(texture.Proxy.planned.posture)

@@ -56,8 +56,8 @@ def add_dressup(job, **properties):
 
 
 def angles_of_voxels(job, pitch):
-    """(origin, kind, theta, phi) of all voxels as arrays [x, y, z], of a model that the texture knows nothing of;
-    the angles are those of the axis' projections, t ~ (tan phi, -tan theta, 1)."""
+    """(origin, kind, theta, phi) of all voxels as arrays [x, y, z], of a model that the texture knows nothing
+    of; the angles are those of the axis' projections, t ~ (tan phi, -tan theta, 1)."""
     stock, part = (
         core.solid_of_brep(text, 0.05, "x") for text in patchmill.removal_model.job_shapes(job)
     )

@@ -1,5 +1,5 @@
 // Writing and reading the voxel model; see voxel_file.h. Layout: magic, key, frame, bricks of the box that
-// are stored or solid, kinds, posture, magic. Numbers as the machine has them: the file is a cache.
+// are stored or solid, kinds, posture, materials, magic. Numbers as the machine has them: the file is a cache.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/voxel/voxel_file.h"
 
@@ -12,7 +12,7 @@
 namespace patchmill {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x31764d5064746f4dULL;
+constexpr std::uint64_t kMagic = 0x32764d5064746f4dULL;
 constexpr std::uint64_t kMost = std::uint64_t{1} << 36;
 
 template <class T>
@@ -83,6 +83,12 @@ bool read_posture(std::istream& in, std::size_t cells, VoxelModel& model) {
   return true;
 }
 
+bool read_materials(std::istream& in, std::size_t cells, VoxelModel& model) {
+  const auto there = get<std::uint8_t>(in);
+  if (!in || there > 1) return false;
+  return there == 0 || get_all(in, cells, model.material);
+}
+
 void write_all(std::ostream& out, const std::string& key, const VoxelModel& model) {
   const VoxelGrid& grid = model.grid;
   put(out, kMagic);
@@ -99,6 +105,8 @@ void write_all(std::ostream& out, const std::string& key, const VoxelModel& mode
     put(out, model.posture->outcome.true_residual);
     for (const auto& field : model.posture->value) put_all(out, field);
   }
+  put(out, static_cast<std::uint8_t>(model.material.empty() ? 0 : 1));
+  if (!model.material.empty()) put_all(out, model.material);
   put(out, kMagic);
 }
 
@@ -124,6 +132,7 @@ std::optional<VoxelModel> read_voxel_model(const std::string& path, const std::s
   VoxelModel model;
   if (!read_grid(in, model.grid)) return std::nullopt;
   if (!read_posture(in, model.grid.kind.size(), model)) return std::nullopt;
+  if (!read_materials(in, model.grid.kind.size(), model)) return std::nullopt;
   if (get<std::uint64_t>(in) != kMagic || !in) return std::nullopt;
   return model;
 }

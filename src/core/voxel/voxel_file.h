@@ -1,4 +1,4 @@
-// The voxel model in a file of its own beside the document: voxel kinds, posture, and the key of the
+// The voxel model in a file of its own beside the document: voxel kinds, posture, materials, and the key of the
 // inputs they were made from, so that a model is taken from the file only if nothing has changed. The
 // feed field is a closed form and is made anew.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -14,6 +14,7 @@ namespace patchmill {
 struct VoxelModel {
   VoxelGrid grid;
   std::optional<PostureField> posture;
+  std::vector<std::uint8_t> material;  ///< materials.h; empty if there is only the stock's own
 };
 
 /// Writes `path`, beside it first and then renamed: an old file stays whole until the new one is.

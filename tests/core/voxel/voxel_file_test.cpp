@@ -26,6 +26,7 @@ struct Fixture {
     options.pitch = 2.0;
     model.grid = voxelise(box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), part, options);
     model.posture = steady_posture(model.grid, part, bvh);
+    for (std::size_t i = 0; i < model.grid.kind.size(); ++i) model.material.push_back(i % 3);
   }
 };
 
@@ -45,6 +46,7 @@ TEST(VoxelFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(read->grid.solid_bricks, f.model.grid.solid_bricks);
   EXPECT_EQ(read->grid.frame.cells, f.model.grid.frame.cells);
   EXPECT_EQ(read->posture->value, f.model.posture->value);
+  EXPECT_EQ(read->material, f.model.material);
   EXPECT_EQ(read->grid.table.neighbours, f.model.grid.table.neighbours);
   std::remove(kPath.c_str());
 }

@@ -1,0 +1,104 @@
+// What the voxel model says at any place, and its materials, for Python.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/bindings.h"
+#include "bindings/solid.h"
+#include "bindings/voxel_materials.h"
+#include "core/voxel/field_reader.h"
+
+namespace patchmill {
+namespace {
+
+using Points = Eigen::Matrix<double, -1, 3, Eigen::RowMajor>;
+
+VoxelMaterials make_materials(const VoxelGrid& grid,
+                              const std::vector<std::pair<const Solid*, double>>& bodies) {
+  std::vector<MaterialBody> list;
+  for (const auto& [solid, depth] : bodies) list.push_back({&solid->mesh, &solid->bvh, depth});
+  const py::gil_scoped_release release;
+  return {materials_of(grid, list)};
+}
+
+// Zero rows where the field has no axis.
+py::array_t<double> axes_at(const VoxelGrid& grid, const PostureField& posture,
+                            const Points& points) {
+  std::vector<Vec3> axes;
+  {
+    const py::gil_scoped_release release;
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+      axes.push_back(read_axis(grid, posture, points.row(i)).value_or(Vec3::Zero()));
+  }
+  return rows_of(axes, [](const Vec3& v) { return v; });
+}
+
+py::array_t<double> feed_at(const VoxelGrid& grid, const FeedField& feed, const Points& points,
+                            const Vec3& direction) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> values;
+  {
+    const py::gil_scoped_release release;
+    const Vec3 d = direction.normalized();
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+      values.push_back(read_feed(grid, feed, points.row(i), d).value_or(kNone));
+  }
+  return column_of<double>(values, [](double v) { return v; });
+}
+
+Cell cell_of(const VoxelGrid& grid, const Vec3& p) {
+  const Vec3 u = grid.frame.in_cells(p);
+  const bool near = (u.array() >= -1.0).all() && (u.array() < 65536.0).all();
+  return near ? Cell(u.array().floor().cast<int>()) : Cell(-1, -1, -1);
+}
+
+py::array_t<std::uint8_t> kinds_at(const VoxelGrid& grid, const Points& points) {
+  std::vector<VoxelKind> kinds;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    kinds.push_back(grid.at(cell_of(grid, points.row(i))));
+  return column_of<std::uint8_t>(kinds, [](VoxelKind k) { return static_cast<std::uint8_t>(k); });
+}
+
+py::array_t<int> materials_at(const VoxelGrid& grid, const VoxelMaterials& materials,
+                              const Points& points) {
+  std::vector<int> found;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Cell cell = cell_of(grid, points.row(i));
+    const VoxelKind kind = grid.at(cell);
+    const bool none = kind == VoxelKind::Air || kind == VoxelKind::Part;
+    found.push_back(none ? -1 : materials.number[cell_index(grid.table, cell)]);
+  }
+  return column_of<int>(found, [](int m) { return m; });
+}
+
+}  // namespace
+
+void bind_voxel_attributes(py::module_& m) {
+  py::class_<VoxelMaterials>(m, "VoxelMaterials", "The number of the material of each voxel.")
+      .def_property_readonly(
+          "count", [](const VoxelMaterials& v) { return v.number.size(); }, "Voxels stored.");
+  m.def("materials_of", &make_materials, py::arg("grid"), py::arg("bodies"),
+        "VoxelMaterials: 0 the stock's own, else 1 + the number of the last of `bodies`, pairs of "
+        "Solid and depth below its surface [mm], that holds the voxel's centre.");
+  m.def(
+      "scale_feed",
+      [](const FeedField& feed, const VoxelMaterials& materials,
+         const std::vector<double>& factors) {
+        FeedField scaled = feed;
+        scale_feed(scaled, materials.number, factors);
+        return scaled;
+      },
+      py::arg("feed"), py::arg("materials"), py::arg("factors"),
+      py::call_guard<py::gil_scoped_release>(),
+      "The FeedField times the factor of each voxel's material.");
+  m.def("axes_at", &axes_at, py::arg("grid"), py::arg("posture"), py::arg("points"),
+        "Unit axes at (n, 3) points [mm], interpolated; upright in air, zero inside the part.");
+  m.def("feed_at", &feed_at, py::arg("grid"), py::arg("feed"), py::arg("points"),
+        py::arg("direction"),
+        "Feed [mm/s] in a direction at (n, 3) points [mm], interpolated; NaN inside the part.");
+  m.def("kinds_at", &kinds_at, py::arg("grid"), py::arg("points"),
+        "Of the voxels that hold (n, 3) points [mm]: 0 air, 1 part, 2 removal, 3 surface, 4 "
+        "exterior.");
+  m.def("materials_at", &materials_at, py::arg("grid"), py::arg("materials"), py::arg("points"),
+        "Numbers of the materials of the voxels that hold (n, 3) points [mm]; -1 where there is "
+        "nothing to remove.");
+}
+
+}  // namespace patchmill
