@@ -114,7 +114,7 @@ class DcmPanel(Computing):
         least, most = voxel_slices.slice_range(model, axis)
         place = least + (most - least) * self.place.value() / SLIDER_STEPS
         title, (low, high), digits, (centres, values) = _slice_of(what, model, feed, limits, axis, place)
-        display = core.slice_display(centres, list(values), 0.98 * model.grid.pitch, axis, low, high)
+        display = core.slice_display(centres, list(values), model.grid.pitch, axis, low, high)
         self.scene.parts.show({"slice": display})
         self.legend.show(title, low, high, digits)
 

@@ -74,7 +74,7 @@ class OperationPage(native("operation").TaskPanelPage):
         in it yet."""
         form = QtGui.QWidget()
         layout = QtGui.QVBoxLayout(form)
-        layout.setContentsMargins(2, 2, 2, 2)
+        layout.setContentsMargins(2, 2, 8, 2)  # FreeCAD clips its pages on the right
         form.toolController, form.coolantController = QtGui.QComboBox(), QtGui.QComboBox()
         rows = QtGui.QFormLayout()
         for text, combo in (

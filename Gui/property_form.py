@@ -73,6 +73,7 @@ class PropertyForm(QtCore.QObject):
         if group not in self.groups:
             self.groups[group] = Group(group, group not in self.closed)
         label = QtGui.QLabel(label_of(name))
+        label.setWordWrap(True)
         for widget in (label, row.editor):
             widget.setToolTip(tip)
         row.editor.setObjectName(name)

@@ -31,7 +31,7 @@ def _counts(counts):
         for name, number in counts.items()
         if number
     ]
-    return " &nbsp; ".join(parts)
+    return "<br>".join(parts)
 
 
 def placed_summary(placed):

@@ -10,6 +10,9 @@
 namespace patchmill::scene {
 namespace {
 
+// Squares side by side overlap by so much: in single precision their edges would leave gaps of a pixel.
+constexpr double kOverlap = 1.004;
+
 void require_same(const char* what, std::size_t given, std::size_t wanted) {
   if (given != wanted) throw InputError(what, std::to_string(given), "give as many as places.");
 }
@@ -24,8 +27,8 @@ Display slice_display(const std::vector<Vec3>& centres, const std::vector<double
                       double side, int axis, double low, double high) {
   require_same("values", values.size(), centres.size());
   if (axis < 0 || axis > 2) throw InputError("axis", std::to_string(axis), "give 0, 1 or 2.");
-  const Vec3 a = 0.5 * side * Vec3::Unit((axis + 1) % 3),
-             b = 0.5 * side * Vec3::Unit((axis + 2) % 3);
+  const double half = 0.5 * side * kOverlap;
+  const Vec3 a = half * Vec3::Unit((axis + 1) % 3), b = half * Vec3::Unit((axis + 2) % 3);
   Triangles triangles;
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const auto first = static_cast<std::int32_t>(triangles.vertices.size());
