@@ -14,7 +14,7 @@ from PySide import QtGui
 
 from patchmill_gui import tool_paths
 from patchmill_gui.command_base import Command, MakingCommand, PanelCommand, say, selected_faces
-from patchmill_gui.widgets import translate
+from patchmill_gui.widgets import busy_cursor, translate
 
 
 class TextureCommand(MakingCommand):
@@ -181,7 +181,8 @@ class Post(Command):
             FreeCADGui.getMainWindow(), translate("Program"), job.Label + ".ngc", "*.ngc *.nc *.h *.mpf"
         )
         if name:
-            patchmill.post(job, name)
+            with busy_cursor():  # FreeCAD's post-processors work in the GUI thread
+                patchmill.post(job, name)
             say(translate("{} was written, read back and holds the plan.").format(name))
 
 

@@ -12,7 +12,7 @@ from patchmill import host
 from patchmill.texture_operation import planned
 from PySide import QtCore
 
-from patchmill_gui.widgets import translate
+from patchmill_gui.widgets import busy_cursor, translate
 from patchmill_gui.work_panel import WorkPanel
 
 
@@ -22,7 +22,8 @@ def report_work(operation, folder):
     plan = planned(operation)
     job = host.PathUtils.findParentJob(operation)
     gcode = os.path.join(folder, operation.Name + ".ngc")
-    (posted,) = [p for p in patchmill.post(job, gcode) if p.operation is operation]
+    with busy_cursor():
+        (posted,) = [p for p in patchmill.post(job, gcode) if p.operation is operation]
 
     def work(progress):
         simulated = patchmill.simulate(plan, path=posted.path, progress=progress)

@@ -1,11 +1,13 @@
 """Small things that panels are made of: translated texts, labels that wrap, editors that fit FreeCAD's narrow
-panel, a progress bar.
+panel, a progress bar, a pointer that says wait.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import contextlib
+
 from FreeCAD import Qt
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 ERROR_COLOUR = "#c0392b"
 
@@ -29,6 +31,16 @@ def wrapping_label(text=""):
     label.setWordWrap(True)
     label.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
     return label
+
+
+@contextlib.contextmanager
+def busy_cursor():
+    """The pointer says that the window does not answer meanwhile."""
+    QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+    try:
+        yield
+    finally:
+        QtGui.QApplication.restoreOverrideCursor()
 
 
 class ProgressBar(QtGui.QProgressBar):
