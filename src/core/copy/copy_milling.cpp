@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 namespace patchmill {
 
@@ -77,12 +78,18 @@ ToolPath scan(const TriangleBvh& part, const CopyOptions& o, const Progress& pro
   PathBuilder builder(o);
   const std::vector<double> level = levels(o), y = planes(o);
   const double x0 = o.stock.lo.x() - o.tool.radius, x1 = o.stock.hi.x() + o.tool.radius;
-  std::vector<std::vector<Vec2>> profile;
-  for (const double plane : y)
-    profile.push_back(probe_profile(part, plane, x0, x1, level.back(), o));
+  // planes side by side, asked to stop between blocks of them; probing is most of the work
+  constexpr std::size_t kBlock = 32;
+  std::vector<std::vector<Vec2>> profile(y.size());
+  for (std::size_t first = 0; first < y.size(); first += kBlock) {
+    if (!go_on(progress, 0.9 * double(first) / double(y.size()))) return builder.finish();
+    tbb::parallel_for(first, std::min(first + kBlock, y.size()), [&](std::size_t j) {
+      profile[j] = probe_profile(part, y[j], x0, x1, level.back(), o);
+    });
+  }
   double above = o.stock.hi.z() + o.tool.radius;
   for (std::size_t k = 0; k < level.size(); ++k) {
-    if (!go_on(progress, double(k) / double(level.size()))) break;
+    if (!go_on(progress, 0.9 + 0.1 * double(k) / double(level.size()))) break;
     for (std::size_t j = 0; j < y.size(); ++j)
       cut_runs(layer_of(profile[j], above, level[k]), y[j], j % 2 == 1, builder);
     above = level[k];

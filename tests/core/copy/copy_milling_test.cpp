@@ -8,9 +8,11 @@
 #include "core/geometry/error.h"
 #include "voxel/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 namespace patchmill {
 namespace {
@@ -88,6 +90,39 @@ TEST_P(CopyParts, NoGougeOnABlockWithUprightWalls) {
   options.axial_depth = 4.0;
   const ToolPath path = copy_mill(part, options);
   EXPECT_LE(deepest_gouge(part, path), options.tolerance);
+}
+
+TEST_P(CopyParts, TheSamePathOnAnyNumberOfThreads) {
+  const TriangleBvh part(shapes::overhanging_part(20));
+  CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(76, 50, 32)));
+  options.radial_depth = options.axial_depth = 8.0;
+  std::vector<double> numbers[2];
+  for (const int threads : {1, 2}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    for (const Move& move : copy_mill(part, options).moves)
+      for (const double n : {move.end.tip.x(), move.end.tip.y(), move.end.tip.z(),
+                             move.kind == MoveKind::Rapid ? -1.0 : move.turns})
+        numbers[threads - 1].push_back(n);
+  }
+  EXPECT_GT(numbers[0].size(), 400u);
+  EXPECT_EQ(numbers[0], numbers[1]);
+}
+
+TEST_P(CopyParts, StopsWhenAskedAndSaysHowFarItIs) {
+  const TriangleBvh part(shapes::convex_part(20));
+  CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(50, 50, 30)));
+  options.radial_depth = options.axial_depth = 8.0;
+  std::vector<double> shares;
+  const ToolPath whole = copy_mill(part, options, [&](double share) {
+    shares.push_back(share);
+    return true;
+  });
+  EXPECT_GE(shares.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_LT(shares.back(), 1.0);
+  const ToolPath none = copy_mill(part, options, [](double) { return false; });
+  EXPECT_EQ(statistics(none).cut_length, 0.0);
+  EXPECT_GT(statistics(whole).cut_length, 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, CopyParts,
