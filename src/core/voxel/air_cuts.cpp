@@ -5,6 +5,7 @@
 #include "core/geometry/error.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 namespace patchmill {
@@ -24,57 +25,103 @@ struct Scan {
 
 }  // namespace
 
+struct RemainingStock::Tool {
+  Vec3 centre, axis;
+  double radius;
+  ToolEnd end;
+
+  // Is p in the tool, or no further than `more` from it (or a little further)?
+  bool holds(const Vec3& p, double more) const {
+    const Vec3 d = p - centre;
+    const double up = d.dot(axis), r = radius + more;
+    if (end == ToolEnd::Flat && up < -r) return false;
+    const double along = end == ToolEnd::Flat ? up : std::max(0.0, up);
+    return (d - along * axis).squaredNorm() <= r * r;
+  }
+};
+
 RemainingStock::RemainingStock(const VoxelGrid& grid, ToolEnd end)
-    : grid_(grid), end_(end), left_(grid.kind.size(), 0) {
-  for (std::size_t i = 0; i < left_.size(); ++i)
-    if (to_remove(grid.kind[i])) left_[i] = ~std::uint64_t{0};
+    : grid_(grid), end_(end), left_(grid.table.size()), emptied_(grid.table.size(), 0) {}
+
+RemainingStock::Samples RemainingStock::whole(std::size_t brick) const {
+  Samples samples;
+  for (int i = 0; i < kBrickCells; ++i)
+    samples[i] = to_remove(grid_.kind[brick * kBrickCells + i]) ? ~std::uint64_t{0} : 0;
+  return samples;
 }
 
 bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, double radius) {
   const GridFrame& frame = grid_.frame;
+  const Tool tool{centre, axis, radius, end_};
   // up to where the cylinder leaves the grid's box
   const Vec3 size = frame.pitch * frame.cells.cast<double>();
   const double height = size.norm() + (centre - frame.origin - 0.5 * size).norm();
   const Vec3 end = centre + height * axis;
-  Cell lo, hi;
+  // the rim of a flat end, which may lean, is further from the centre than a ball
+  const double reach = end_ == ToolEnd::Flat ? std::sqrt(2.0) * radius : radius;
+  Cell lo, hi;  // cells, hi not among them
   for (int k = 0; k < 3; ++k) {
-    const double a = (std::min(centre[k], end[k]) - radius - frame.origin[k]) / frame.pitch;
-    const double b = (std::max(centre[k], end[k]) + radius - frame.origin[k]) / frame.pitch;
+    const double a = (std::min(centre[k], end[k]) - reach - frame.origin[k]) / frame.pitch;
+    const double b = (std::max(centre[k], end[k]) + reach - frame.origin[k]) / frame.pitch;
     lo[k] = static_cast<int>(std::clamp(std::floor(a), 0.0, double(frame.cells[k])));
     hi[k] = static_cast<int>(std::clamp(std::floor(b) + 1.0, 0.0, double(frame.cells[k])));
   }
-  const auto in_tool = [&](const Vec3& p, double r) {
-    const Vec3 d = p - centre;
-    const double up = d.dot(axis);
-    if (end_ == ToolEnd::Flat && up < -r) return false;
-    const double along = end_ == ToolEnd::Flat ? up : std::max(0.0, up);
-    return (d - along * axis).squaredNorm() <= r * r;
-  };
-  const double half_diagonal = 0.5 * std::sqrt(3.0) * frame.pitch;
+  const double half_diagonal = 0.5 * std::sqrt(3.0) * kBrickSide * frame.pitch;
   bool found = false;
-  Cell c;
-  for (c.z() = lo.z(); c.z() < hi.z(); ++c.z())
-    for (c.y() = lo.y(); c.y() < hi.y(); ++c.y())
-      for (c.x() = lo.x(); c.x() < hi.x(); ++c.x()) {
-        const std::int64_t index = cell_index(grid_.table, c);
-        if (index < 0 || left_[index] == 0) continue;
-        if (!in_tool(frame.centre(c), radius + half_diagonal)) continue;
-        const Vec3 low = frame.origin + frame.pitch * c.cast<double>();
-        for (int bit = 0; bit < 64; ++bit) {
-          if (!(left_[index] >> bit & 1)) continue;
-          const Vec3 sub(bit % kSub + 0.5, bit / kSub % kSub + 0.5, bit / (kSub * kSub) + 0.5);
-          if (!in_tool(low + frame.pitch / kSub * sub, radius)) continue;
-          left_[index] &= ~(std::uint64_t{1} << bit);
-          found = true;
-        }
+  Cell p;
+  for (p.z() = lo.z() / kBrickSide; p.z() * kBrickSide < hi.z(); ++p.z())
+    for (p.y() = lo.y() / kBrickSide; p.y() * kBrickSide < hi.y(); ++p.y())
+      for (p.x() = lo.x() / kBrickSide; p.x() * kBrickSide < hi.x(); ++p.x()) {
+        const std::int32_t brick = grid_.table.find(p);
+        if (brick == kNoBrick || emptied_[brick]) continue;
+        const Vec3 middle =
+            frame.origin + frame.pitch * kBrickSide * (p.cast<double>() + Vec3::Constant(0.5));
+        if (tool.holds(middle, half_diagonal)) found |= cut_brick(brick, lo, hi, tool);
       }
+  return found;
+}
+
+bool RemainingStock::cut_brick(std::size_t brick, const Cell& lo, const Cell& hi,
+                               const Tool& tool) {
+  const GridFrame& frame = grid_.frame;
+  const double half_diagonal = 0.5 * std::sqrt(3.0) * frame.pitch;
+  if (!left_[brick]) left_[brick] = std::make_unique<Samples>(whole(brick));
+  Samples& left = *left_[brick];
+  const Cell first = first_cell(grid_.table, brick);
+  bool found = false;
+  for (int i = 0; i < kBrickCells; ++i) {
+    const Cell c = first + Cell(i % 8, i / 8 % 8, i / 64);
+    if (left[i] == 0 || (c.array() < lo.array()).any() || (c.array() >= hi.array()).any()) continue;
+    if (!tool.holds(frame.centre(c), half_diagonal)) continue;
+    const Vec3 low = frame.origin + frame.pitch * c.cast<double>();
+    for (int bit = 0; bit < 64; ++bit) {
+      if (!(left[i] >> bit & 1)) continue;
+      const Vec3 sub(bit % kSub + 0.5, bit / kSub % kSub + 0.5, bit / (kSub * kSub) + 0.5);
+      if (!tool.holds(low + frame.pitch / kSub * sub, 0.0)) continue;
+      left[i] &= ~(std::uint64_t{1} << bit);
+      found = true;
+    }
+  }
+  if (std::all_of(left.begin(), left.end(), [](std::uint64_t s) { return s == 0; })) {
+    left_[brick].reset();
+    emptied_[brick] = 1;
+  }
   return found;
 }
 
 double RemainingStock::volume() const {
   double samples = 0.0;
-  for (const std::uint64_t bits : left_) samples += __builtin_popcountll(bits);
+  for (std::size_t brick = 0; brick < left_.size(); ++brick) {
+    if (emptied_[brick]) continue;
+    const Samples left = left_[brick] ? *left_[brick] : whole(brick);
+    for (const std::uint64_t bits : left) samples += double(std::bitset<64>(bits).count());
+  }
   return samples * std::pow(grid_.frame.pitch / kSub, 3);
+}
+
+std::size_t RemainingStock::opened() const {
+  return static_cast<std::size_t>(
+      std::count_if(left_.begin(), left_.end(), [](const auto& b) { return b != nullptr; }));
 }
 
 namespace {

@@ -7,7 +7,9 @@
 #include "core/path/tool_path.h"
 #include "core/voxel/voxel_grid.h"
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace patchmill {
@@ -17,7 +19,9 @@ enum class ToolEnd {
   Flat  ///< a cylinder that ends at the tip, `radius` below the centre
 };
 
-/// What is left of the material to be removed.
+/// What is left of the material to be removed. Samples are kept only for bricks that the tool has been in and
+/// not emptied: 4 KiB each, of which a path that goes layer by layer has few at a time. The grid must live as
+/// long.
 class RemainingStock {
  public:
   explicit RemainingStock(const VoxelGrid& grid, ToolEnd end = ToolEnd::Ball);
@@ -29,10 +33,19 @@ class RemainingStock {
   /// Volume of the samples that are left [mm^3].
   double volume() const;
 
+  /// Bricks of which samples are kept.
+  std::size_t opened() const;
+
  private:
+  struct Tool;
+  using Samples = std::array<std::uint64_t, kBrickCells>;  // per cell; bit x + 4 y + 16 z
+  Samples whole(std::size_t brick) const;
+  bool cut_brick(std::size_t brick, const Cell& lo, const Cell& hi, const Tool& tool);
+
   const VoxelGrid& grid_;
   ToolEnd end_;
-  std::vector<std::uint64_t> left_;  // per stored cell; bit x + 4 y + 16 z
+  std::vector<std::unique_ptr<Samples>> left_;  // per stored brick; null: whole, or emptied
+  std::vector<std::uint8_t> emptied_;
 };
 
 struct AirCutOptions {

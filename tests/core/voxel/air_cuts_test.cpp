@@ -6,9 +6,12 @@
 #include "core/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 namespace patchmill {
 namespace {
@@ -67,6 +70,58 @@ TEST(RemainingStock, AFlatEndCutsASquareSlot) {
   for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 13), Vec3::UnitZ(), kRadius);
   const double slot = 40 * 2 * kRadius * 10;
   EXPECT_NEAR(before - stock.volume(), slot, 0.02 * slot);
+}
+
+// Every sample of every voxel asked at every place, along a random way in the block and beyond it.
+RC_GTEST_PROP(RemainingStock, EqualsAskingEverySample, (unsigned seed)) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-1, 1);
+  VoxelOptions options;
+  options.pitch = 2.0;
+  const VoxelGrid grid = voxelise(box_mesh(Vec3(0, 0, 0), Vec3(37, 25, 20)),
+                                  shapes::sphere(Vec3(18, 12, 9), 6, 2), options);
+  std::vector<Vec3> samples;
+  shapes::for_each_cell(grid.table, [&](std::size_t i, const Cell& c) {
+    if (grid.kind[i] == VoxelKind::Air || grid.kind[i] == VoxelKind::Part) return;
+    for (int n = 0; n < 64; ++n)
+      samples.push_back(2.0 * c.cast<double>() +
+                        0.5 * (Vec3(n % 4, n / 4 % 4, n / 16) + Vec3::Constant(0.5)));
+  });
+  const ToolEnd end = seed % 2 ? ToolEnd::Ball : ToolEnd::Flat;
+  RemainingStock stock(grid, end);
+  const double radius = 2.5 + 2.0 * number(random);
+  for (int cut = 0; cut < 12; ++cut) {
+    const Vec3 centre(18 + 25 * number(random), 12 + 18 * number(random), 10 + 14 * number(random));
+    const Vec3 axis = Vec3(number(random), number(random), 1.01 + number(random)).normalized();
+    const std::size_t before = samples.size();
+    const auto in_tool = [&](const Vec3& p) {
+      const double up = (p - centre).dot(axis);
+      const double across = (p - centre - up * axis).norm();
+      if (end == ToolEnd::Flat) return up >= -radius && across <= radius;
+      return up >= 0.0 ? across <= radius : (p - centre).norm() <= radius;
+    };
+    samples.erase(std::remove_if(samples.begin(), samples.end(), in_tool), samples.end());
+    RC_ASSERT(stock.cut(centre, axis, radius) == (samples.size() < before));
+    RC_ASSERT(std::abs(stock.volume() - 0.125 * double(samples.size())) < 1e-6);
+  }
+}
+
+TEST(RemainingStock, KeepsSamplesOnlyWhereTheToolIsAtWork) {
+  VoxelOptions options;
+  options.pitch = 0.5;
+  const VoxelGrid grid = voxelise(box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 40)),
+                                  box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 8)), options);
+  RemainingStock stock(grid, ToolEnd::Flat);
+  EXPECT_EQ(stock.opened(), 0u);
+  std::size_t most = 0;
+  for (double z = 37.0; z >= 8.0; z -= 2.0)
+    for (double y = 0; y <= 40; y += 5)
+      for (double x = 0; x <= 40; x += 2) {
+        stock.cut(Vec3(x, y, z + kRadius), Vec3::UnitZ(), kRadius);
+        most = std::max(most, stock.opened());
+      }
+  EXPECT_LE(most, grid.table.size() / 4);
+  EXPECT_LT(stock.volume(), 0.08 * 40 * 40 * 32);
 }
 
 TEST(HurryInAir, ASecondPassOverTheSamePlaceIsAir) {
