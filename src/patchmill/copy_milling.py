@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import hooks, host, removal_model
+from patchmill import hooks, host, removal_model, tool_controller
 from patchmill.texture_operation import create
 from patchmill.translate import QT_TRANSLATE_NOOP
 
@@ -89,7 +89,7 @@ class ObjectCopyMilling(host.PathOp.ObjectOp):
             self.error = error
             raise
         text = str(core.freecad_text(self.path, given.feed, 4))
-        self.commandlist.extend(host.Path.Path(text).Commands)
+        self.commandlist.extend(host.begin_upright(host.Path.Path(text).Commands))
         statistics = self.path.statistics()
         obj.Moves = len(self.path)
         obj.MachiningTime = statistics["timed_seconds"]
@@ -238,7 +238,7 @@ def _cutting(controller):
         if not (math.isfinite(value) and value > 0.0):
             raise InputError(name, value, "give more than zero.")
     tool = core.BallEndMill(float(controller.Tool.Diameter) / 2.0, max(1, int(controller.Tool.Flutes)))
-    return feed, tool, core.Spindle(speed / 60.0, "M4" if controller.SpindleDir == "Reverse" else "M3")
+    return feed, tool, core.Spindle(speed / 60.0, tool_controller.sense(controller))
 
 
 def _check(obj, tool):

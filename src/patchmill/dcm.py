@@ -10,7 +10,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import base_path, host, machines, removal_model, tilted_path
+from patchmill import base_path, host, machines, removal_model, tilted_path, tool_controller
 from patchmill.texture_operation import ObjectTexture
 
 STEEP = -0.5  # a move that falls by more than half its length is a plunge
@@ -241,9 +241,7 @@ def _spindle(operation):
     controller = operation.ToolController
     if not controller.SpindleSpeed > 0.0:
         raise InputError("SpindleSpeed", controller.SpindleSpeed, "give more than zero.")
-    return core.Spindle(
-        controller.SpindleSpeed / 60.0, "M4" if controller.SpindleDir == "Reverse" else "M3"
-    )
+    return core.Spindle(controller.SpindleSpeed / 60.0, tool_controller.sense(controller))
 
 
 def _limits(obj, given):

@@ -22,13 +22,15 @@ if VERSION >= (0, 21):
     import Path.Op.Base as PathOp
     import Path.Preferences as PathPreferences
     import Path.Tool.Controller as PathToolController
-    from Path.Base.SetupSheet import RegisterOperation as register_operation
+    import Path.Base.SetupSheet as SetupSheet
 else:
     import PathScripts.PathJob as PathJob
     import PathScripts.PathOp as PathOp
     import PathScripts.PathPreferences as PathPreferences
     import PathScripts.PathToolController as PathToolController
-    from PathScripts.PathSetupSheet import RegisterOperation as register_operation
+    import PathScripts.PathSetupSheet as SetupSheet
+
+register_operation = SetupSheet.RegisterOperation
 
 # FreeCAD's own GUI modules and commands, by what they are for; only the GUI imports them.
 if VERSION >= (0, 21):
@@ -60,6 +62,7 @@ __all__ = [
     "Path",
     "PathOp",
     "PathUtils",
+    "SetupSheet",
     "register_operation",
 ]
 
@@ -163,7 +166,26 @@ def add_ball_end_controller(
     controller.VertRapid = 100.0
     controller.SpindleSpeed = speed_rpm
     controller.SpindleDir = direction
+    if hasattr(controller.Tool, "SpindleDirection"):
+        controller.Tool.SpindleDirection = direction
     return controller
+
+
+def posted_direction(controller):
+    """The direction that FreeCAD posts for a tool controller: its own; from 1.1 on its tool bit's."""
+    if VERSION >= (1, 1):
+        return getattr(controller.Tool, "SpindleDirection", controller.SpindleDir)
+    return controller.SpindleDir
+
+
+def begin_upright(commands):
+    """`commands` with a rapid straight to the height of their first rapid before it. FreeCAD 0.20 posts one
+    with the work offset; later ones leave it to the operation, and the tool would come from the side."""
+    for number, command in enumerate(commands):
+        if command.Name == "G0" and "Z" in command.Parameters:
+            first = Path.Command("G0", {"Z": command.Parameters["Z"]})
+            return commands[:number] + [first] + commands[number:]
+    return commands
 
 
 def _post_0_20(job, post_name, arguments):

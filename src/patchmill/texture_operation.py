@@ -15,7 +15,7 @@ import Part
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import axis_field, hooks, host
+from patchmill import axis_field, hooks, host, tool_controller
 from patchmill.texture_mask import MaskInput, curve_loops
 from patchmill.texture_plan import PlannedTexture, TextureInput, plan_texture
 from patchmill.texture_properties import PROPERTIES, RESULTS, of_setup_sheet
@@ -43,7 +43,7 @@ def prepare(given, progress=None):
         if progress and not progress(0.8 + 0.2 * number / len(text)):
             return None
         commands.extend(host.Path.Path(text[number]).Commands)
-    return ReadyTexture(plan, commands)
+    return ReadyTexture(plan, commands if plan.posture else host.begin_upright(commands))
 
 
 class ObjectTexture(host.PathOp.ObjectOp):
@@ -145,7 +145,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
         return TextureInput(
             breps=_face_breps(obj),
             tool=tool,
-            spindle=core.Spindle(speed / 60.0, _sense(controller)),
+            spindle=core.Spindle(speed / 60.0, tool_controller.sense(controller)),
             feed=controller.HorizFeed.Value,
             surface=self.patch_surface(obj),
             origin=None if obj.AutoOrigin else tuple(obj.Origin),
@@ -217,15 +217,6 @@ def _tool(controller):
     if flutes < 1:
         raise InputError("Flutes", flutes, "set the number of flutes of the tool bit.")
     return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, flutes)
-
-
-def _sense(controller):
-    senses = {"Forward": "M3", "Reverse": "M4"}
-    if controller.SpindleDir not in senses:
-        raise InputError(
-            "SpindleDirection", controller.SpindleDir, "the spindle must turn: Forward or Reverse."
-        )
-    return senses[controller.SpindleDir]
 
 
 def property_table(obj):

@@ -14,11 +14,12 @@ import patchmill
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
+from patchmill import host  # noqa: E402
 from recipe import ROOT, small_job  # noqa: E402
 
 
 def no_ball_end_mill(job, operation):
-    operation.ToolController.Tool.ShapeName = "endmill"
+    operation.ToolController.Tool = host.append_controller(job).Tool
 
 
 def no_face(job, operation):

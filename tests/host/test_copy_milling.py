@@ -29,9 +29,9 @@ REAL_PARTS = [
 ]  # fmt: skip
 
 
-def ball_centres(path, step):
-    """Ball centres every `step` mm of all moves, rapids too."""
-    ends = np.vstack([np.array(path.start)[None], path.tips]) + (0, 0, path.tool.radius)
+def ball_centres(path, step, first=0):
+    """Ball centres every `step` mm of all moves from number `first` on, rapids too."""
+    ends = (np.vstack([np.array(path.start)[None], path.tips]) + (0, 0, path.tool.radius))[first:]
     out = [ends[:1]]
     for a, b in zip(ends[:-1], ends[1:]):
         n = max(1, int(np.ceil(np.linalg.norm(b - a) / step)))
@@ -39,9 +39,9 @@ def ball_centres(path, step):
     return np.vstack(out)
 
 
-def deepest_gouge(shape, path, step):
-    """How deep the ball goes into the part anywhere on the path."""
-    return deepest_at(shape, ball_centres(path, step), path.tool.radius)
+def deepest_gouge(shape, path, step, first=0):
+    """How deep the ball goes into the part anywhere on the path from move `first` on."""
+    return deepest_at(shape, ball_centres(path, step, first), path.tool.radius)
 
 
 def deepest_at(shape, centres, radius, deflection=0.002):
@@ -205,7 +205,16 @@ class CopyMillingTest(unittest.TestCase):
         operation, path = self.mill(job, RadialDepth=5.0, AxialDepth=8.0)
         text = host.post_parts(job, "linuxcnc", job.PostProcessorArgs)[0]
         section = core.read_gcode(text, path.tool)[-1]
-        self.assertLess(deepest_gouge(job.Model.Group[0].Shape, section.path, 0.3), TOLERANCE + 1e-4)
+        self.assertLess(
+            deepest_gouge(job.Model.Group[0].Shape, section.path, 0.3, section.unplaced), TOLERANCE + 1e-4
+        )
+        # from nobody knows where only straight to the safe height, and then across
+        self.assertEqual(section.unplaced, 2)
+        safe = path.start[2]
+        np.testing.assert_allclose(section.path.tips[:2, 2], safe, atol=1e-4)
+        first = next(c for c in operation.Path.Commands if c.Name == "G0")
+        self.assertEqual(list(first.Parameters), ["Z"])
+        self.assertAlmostEqual(first.Parameters["Z"], safe, 4)
 
 
 if __name__ == "__main__":

@@ -107,6 +107,22 @@ class TheExperiment(WithFolder):
 
 
 class SenseOfTheSpindle(WithFolder):
+    def test_a_direction_is_posted_or_refused(self):
+        # FreeCAD 1.1 posts the tool bit's, whatever the controller says
+        document, job, operation = small_job(4)
+        operation.ToolController.SpindleDir = "Reverse"
+        if patchmill.host.posted_direction(operation.ToolController) == "Reverse":
+            patchmill.post(job, self.path("reverse"))
+            self.assertIn("M4 S1000", pathlib.Path(self.path("reverse")).read_text())
+            return
+        with self.assertRaises(patchmill.InputError) as caught:
+            patchmill.recompute(operation)
+        self.assertEqual(caught.exception.property, "SpindleDirection")
+        operation.ToolController.Tool.SpindleDirection = "Reverse"
+        patchmill.recompute(operation)
+        patchmill.post(job, self.path("reverse"))
+        self.assertIn("M4 S1000", pathlib.Path(self.path("reverse")).read_text())
+
     def test_m3_and_m4_are_not_confused(self):
         texts, plans = [], []
         for direction in ("Forward", "Reverse"):

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import os
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -168,11 +169,14 @@ class OnFreeCADsOwn(unittest.TestCase):
 
     def test_posts(self):
         document, job = make_job(pocket_part())
-        dressup = dress(add_profile(job))
+        dressup = dress(add_profile(job), FeedTolerance=0.03)
         DressupDCM.recompute(dressup)
         text = patchmill.host.post_parts(job, "linuxcnc", job.PostProcessorArgs)[0]
-        feeds = {float(w[1:]) for line in text.splitlines() for w in line.split() if w.startswith("F")}
-        self.assertGreater(len(feeds), 20)
+        words = re.sub(r"\(.*?\)", "", text).split()  # comments have words of their own
+        feeds = [float(w[1:]) for w in words if w.startswith("F")]
+        own = [c.Parameters["F"] for c in dressup.Path.Commands if c.Name in ("G1", "G2", "G3")]
+        np.testing.assert_allclose(feeds, 60.0 * np.array(own), atol=0.0051)
+        self.assertGreater(len(set(feeds)), 20)
         self.assertLessEqual(max(feeds), 800.01)
 
 

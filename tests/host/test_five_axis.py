@@ -170,7 +170,7 @@ class FiveAxis(unittest.TestCase):
 
     def test_stock_posts_that_lose_words_are_refused_with_the_reason(self):
         _, job, op = five_axis_job("table-table-ac")
-        self.refused_by(job, op, "dynapath", "does not keep C")
+        self.refused_by(job, op, "centroid", "does not keep C")
         op.Strategy, op.SameFlute, op.ExtraTurns = "Spindle-locked", False, 0.0
         self.refused_by(job, op, "linuxcnc", "does not keep K")
 

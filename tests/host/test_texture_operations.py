@@ -201,10 +201,8 @@ class Documents(WithDocuments):
         self.assertEqual(patchmill.recompute(operation).counts["cut"], 144)
 
     def test_setup_sheets_know_the_properties(self):
-        from PathScripts import PathSetupSheet
-
         small_job()
-        known = PathSetupSheet._RegisteredOps["CurvedTexture"]
+        known = patchmill.host.SetupSheet._RegisteredOps["CurvedTexture"]
         prototype = known.prototype("CurvedTexture")
         for name in known.properties():
             self.assertEqual(prototype.getProperty(name).name, name)

@@ -6,6 +6,8 @@
 #include "core/machine/path_block.h"
 #include "core/machine/program_text.h"
 
+#include <optional>
+
 #include <fmt/format.h>
 
 namespace patchmill {
@@ -46,6 +48,10 @@ class Writer {
       return;
     }
     const PathBlock block = path_block(text, number);
+    if (held_ && block.g != 0) {
+      fresh_ = false;
+      down(*held_);
+    }
     if (block.m >= 0) return machine_word(block);
     if (block.g == 0 || block.g == 10 || block.g == 330) return move(block);
     if (block.g >= 0) return preparatory(block);
@@ -86,6 +92,7 @@ class Writer {
     tool_ = tool;
     called_ = true;
     fresh_ = style_.dialect != Dialect::LinuxCnc;
+    across_ = false;
     if (style_.dialect == Dialect::Heidenhain) {
       pending_tool_ = true;
       return;
@@ -122,16 +129,26 @@ class Writer {
     pending_length_ = false;
   }
   /// The first rapids of a new tool as a machinist drives them: across, then down with the tool's length.
-  void first_rapid(MoveBlock m) {
+  /// A rapid to a height alone waits for the one across.
+  void first_rapid(const MoveBlock& m) {
     MoveBlock part = m;
     part.given[2] = false;
-    if (part.given != std::array<bool, 6>{}) out_.move(part);
-    if (!m.given[2]) return;
-    fresh_ = false;
-    part.given = {false, false, true, false, false, false};
-    if (pending_length_) part.length = tool_;
+    const bool height_alone = part.given == std::array<bool, 6>{};
+    if (height_alone && !across_) {
+      held_ = m;
+      return;
+    }
+    if (!height_alone) out_.move(part);
+    across_ = true;
+    fresh_ = !held_ && !m.given[2];
+    if (!fresh_) down(m.given[2] ? m : *held_);
+  }
+  void down(MoveBlock m) {
+    m.given = {false, false, true, false, false, false};
+    if (pending_length_) m.length = tool_;
     pending_length_ = false;
-    out_.move(part);
+    held_.reset();
+    out_.move(m);
   }
   /// The first rapid of a path with rotary axes as a machinist drives it: the rotary axes alone, TCP on,
   /// then across, then down.
@@ -239,8 +256,10 @@ class Writer {
   double feed_ = 0.0, speed_ = 0.0, steady_ = 0.0;
   int tool_ = 1;
   bool tcp_ = false, tcp_used_ = false, pending_tcp_ = false, inverse_ = false;
-  bool called_ = false, fresh_ = false, pending_tool_ = false, pending_length_ = false;
+  bool called_ = false, fresh_ = false, across_ = false, pending_tool_ = false,
+       pending_length_ = false;
   std::string path_mode_;
+  std::optional<MoveBlock> held_;  ///< rapid of a new tool to a height, from nobody knows where
 };
 
 }  // namespace

@@ -161,11 +161,16 @@ TEST(ProgramWriter, TheFirstRapidsGoAcrossAndThenDownWithTheToolsLength) {
   EXPECT_TRUE(has(Dialect::Fanuc, "\nG0 X1.0 Y2.0\nG0 G43 Z50.0 H3\nG0 Z20.0\nG1 Z10.0 F"));
   EXPECT_TRUE(has(Dialect::Siemens, "\nG0 X1.0 Y2.0\nG0 Z50.0\nG0 Z20.0\nG1 Z10.0 F"));
   EXPECT_TRUE(has(Dialect::Siemens, "\nM5\nM30\n"));  // nothing changed the path mode
-  // a path that begins with Z alone; and one that feeds at once still gets its length
+  // a path that begins with Z alone goes across first as well; one that feeds at once still gets its length
   const auto fanuc = [](const std::string& moves) {
     return write_program({"M6 T3\nM3 S1000\n" + moves}, style_of(Dialect::Fanuc, 1));
   };
-  EXPECT_NE(fanuc("G0 Z50\nG0 X1 Y2\n").find("\nG0 G43 Z50.0 H3\nG0 X1.0 Y2.0\n"),
+  EXPECT_NE(fanuc("G0 Z50\nG0 X1 Y2\n").find("\nG0 X1.0 Y2.0\nG0 G43 Z50.0 H3\n"),
+            std::string::npos);
+  EXPECT_NE(fanuc("G0 Z50\nG0 X1 Y2 Z40\n").find("\nG0 X1.0 Y2.0\nG0 G43 Z40.0 H3\n"),
+            std::string::npos);
+  EXPECT_NE(fanuc("G0 Z50\nG1 X1 F5\n").find("\nG0 G43 Z50.0 H3\nG1 X1.0 F"), std::string::npos);
+  EXPECT_NE(fanuc("G0 Z50\nM8\nG0 X1\n").find("\nG0 G43 Z50.0 H3\nM8\nG0 X1.0\n"),
             std::string::npos);
   EXPECT_NE(fanuc("G0 X1\nG0 Z50\n").find("\nG0 X1.0\nG0 G43 Z50.0 H3\n"), std::string::npos);
   EXPECT_NE(fanuc("G1 X1 F5\n").find("\nG43 H3\nG1 X1.0 F"), std::string::npos);
