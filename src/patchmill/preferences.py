@@ -1,4 +1,4 @@
-"""The user's settings, kept by FreeCAD: defaults of new operations, and limits of memory and threads.
+"""The user's settings, kept by FreeCAD: defaults of new operations, and the limit of threads.
 
     User parameter:BaseApp/Preferences/Mod/PatchMill
 
@@ -50,11 +50,6 @@ def operation_defaults():
 def post():
     """FreeCAD post-processor of new jobs."""
     return _group().GetString("Post", "linuxcnc")
-
-
-def memory_limit_bytes():
-    """How much memory one computation may take."""
-    return int(_group().GetInt("MemoryLimitMB", 4096)) * 1024 * 1024
 
 
 def threads():

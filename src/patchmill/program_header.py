@@ -4,8 +4,6 @@ machine, strategy, turns per dimple, time, where the phase is counted from.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from patchmill import machines
-
 
 def textures(objects):
     """The texture operations among a post's objects that have a plan."""
@@ -67,8 +65,3 @@ def _texture(op):
             posture.reference,
             "TCP is used" if posture.form.tcp else "made for this machine's pivots and this work zero",
         )
-
-
-def machine_names():
-    """Keys of the machine files, for choices."""
-    return machines.names()

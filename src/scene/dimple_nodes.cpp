@@ -176,19 +176,4 @@ Display outline_display(const std::vector<std::vector<Vec3>>& outlines) {
   return {[lines] { return line_node(lines, 1.5f); }};
 }
 
-Display axis_display(const Dimples& dimples, const std::vector<Vec3>& axes, double length,
-                     std::size_t most) {
-  Polylines lines;
-  const std::size_t stride =
-      std::max<std::size_t>(1, dimples.size() / std::max<std::size_t>(1, most));
-  for (std::size_t i = 0; i < dimples.size() && i < axes.size(); i += stride) {
-    if (dimples[i].state != DimpleState::Cut) continue;
-    const std::size_t first = lines.vertices.size();
-    lines.add(dimples[i].surface.position, 0x6a3d9aff);
-    lines.add(dimples[i].surface.position + length * axes[i], 0x6a3d9aff);
-    lines.close_from(first);
-  }
-  return {[lines] { return line_node(lines, 1.0f); }};
-}
-
 }  // namespace patchmill::scene

@@ -24,9 +24,4 @@ Display order_display(const Dimples& dimples, double spacing);
 /// Closed polylines, points as rows [mm]; a row that is not finite interrupts its line.
 Display outline_display(const std::vector<std::vector<Vec3>>& outlines);
 
-/// Lines of `length` [mm] from the dimples along their tool axes, at most `most` of them, evenly
-/// chosen. `axes` are unit vectors, one to a dimple.
-Display axis_display(const Dimples& dimples, const std::vector<Vec3>& axes, double length,
-                     std::size_t most);
-
 }  // namespace patchmill::scene

@@ -79,12 +79,4 @@ double sampled_stop_time(double length, double velocity, double acceleration, do
   return periods * period;
 }
 
-double velocity_for_time(double length, double time, double acceleration) {
-  const double at = acceleration * time;
-  const double discriminant = at * at - 4.0 * acceleration * length;
-  if (discriminant < 0.0) return std::numeric_limits<double>::quiet_NaN();
-  // the smaller root, without cancellation
-  return 2.0 * acceleration * length / (at + std::sqrt(discriminant));
-}
-
 }  // namespace patchmill

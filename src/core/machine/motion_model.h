@@ -51,8 +51,4 @@ SampledStep sampled_step(double rest, double speed, double end_speed, double wan
 /// than stop_to_stop_time. No jerk limit. All arguments > 0.
 double sampled_stop_time(double length, double velocity, double acceleration, double period);
 
-/// The velocity of a rest-to-rest move that takes `time` over `length`, without a jerk limit
-/// [mm/s]: the smaller root of length / F + F / a = time. NaN if even F without limit takes longer.
-double velocity_for_time(double length, double time, double acceleration);
-
 }  // namespace patchmill

@@ -71,17 +71,6 @@ RC_GTEST_PROP(StopToStop, JerkOnlyCostsTimeAndVanishesWhenLarge,
   RC_ASSERT(before <= without * (1.0 + 1e-3) + 1e-4);
 }
 
-RC_GTEST_PROP(VelocityForTime, IsTheInverseOfStopToStopTime, (unsigned l, unsigned v)) {
-  const double length = 0.05 + 1e-4 * (l % 50000), a = 2000.0;
-  const double velocity = std::sqrt(length * a) * (0.05 + 0.9 * (v % 1000) / 1000.0);
-  const double time = stop_to_stop_time(length, velocity, a);
-  RC_ASSERT(std::abs(velocity_for_time(length, time, a) - velocity) < 1e-9 * velocity);
-}
-
-TEST(VelocityForTime, ThereIsNoneForTooLittleTime) {
-  EXPECT_TRUE(std::isnan(velocity_for_time(1.0, 1.9 * std::sqrt(1.0 / 2000.0), 2000.0)));
-}
-
 TEST(MotionModel, TheBusiestAxisDecides) {
   MotionModel model;
   model.velocity = 100.0;
