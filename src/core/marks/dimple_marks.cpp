@@ -1,185 +1,18 @@
-// Hollows of a height field; see dimple_marks.h.
+// What each hollow of a relief measures; see dimple_marks.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/dimple_marks.h"
 
 #include "core/geometry/angle.h"
 #include "core/geometry/error.h"
+#include "core/marks/hollows.h"
 #include "core/marks/place_index.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <numeric>
-#include <queue>
 
 namespace patchmill {
 namespace {
-
-constexpr std::int32_t kNone = -1;
-
-/// Where each cell's water runs to: the number of a hollow, kNone for uncut and missing cells.
-struct Hollows {
-  std::vector<std::int32_t> label;
-  std::vector<std::int64_t> lowest;  // cell of each hollow
-};
-
-/// Visits the up to eight neighbours of a cell.
-template <class Visit>
-void for_neighbours(const SurfaceGrid& grid, std::int64_t cell, Visit&& visit) {
-  const int i = static_cast<int>(cell % grid.columns), j = static_cast<int>(cell / grid.columns);
-  for (int dj = -1; dj <= 1; ++dj)
-    for (int di = -1; di <= 1; ++di) {
-      if (di == 0 && dj == 0) continue;
-      if (i + di < 0 || i + di >= grid.columns || j + dj < 0 || j + dj >= grid.rows) continue;
-      visit(grid.number(i + di, j + dj), di != 0 && dj != 0);
-    }
-}
-
-bool is_cut(const Relief& relief, std::int64_t cell) {
-  return relief.height[static_cast<std::size_t>(cell)] < static_cast<float>(relief.stock);
-}
-
-/// Every cut cell points to its steepest lower neighbour; equal heights go to the lower number.
-std::vector<std::int64_t> steepest_ways(const Relief& relief) {
-  std::vector<std::int64_t> way(relief.height.size(), kNone);
-  for (std::int64_t cell = 0; cell < relief.grid.cells(); ++cell) {
-    if (!is_cut(relief, cell)) continue;
-    const float here = relief.height[static_cast<std::size_t>(cell)];
-    std::int64_t to = cell;
-    float steepest = 0.0f;
-    for_neighbours(relief.grid, cell, [&](std::int64_t other, bool diagonal) {
-      const float there = relief.height[static_cast<std::size_t>(other)];
-      if (!(there < here || (there == here && other < cell))) return;
-      const float slope = (here - there) * (diagonal ? 0.70710678f : 1.0f);
-      if (to != cell && slope <= steepest) return;
-      to = other;
-      steepest = slope;
-    });
-    way[static_cast<std::size_t>(cell)] = to;
-  }
-  return way;
-}
-
-Hollows label_hollows(const Relief& relief) {
-  std::vector<std::int64_t> way = steepest_ways(relief);
-  Hollows hollows;
-  hollows.label.assign(way.size(), kNone);
-  std::vector<std::int64_t> trail;
-  for (std::int64_t cell = 0; cell < relief.grid.cells(); ++cell) {
-    if (way[static_cast<std::size_t>(cell)] == kNone) continue;
-    std::int64_t at = cell;
-    while (hollows.label[static_cast<std::size_t>(at)] == kNone &&
-           way[static_cast<std::size_t>(at)] != at) {
-      trail.push_back(at);
-      at = way[static_cast<std::size_t>(at)];
-    }
-    std::int32_t& label = hollows.label[static_cast<std::size_t>(at)];
-    if (label == kNone) {
-      label = static_cast<std::int32_t>(hollows.lowest.size());
-      hollows.lowest.push_back(at);
-    }
-    for (const std::int64_t t : trail) hollows.label[static_cast<std::size_t>(t)] = label;
-    trail.clear();
-  }
-  return hollows;
-}
-
-/// Merges dents into their neighbours and keeps what remains of the ridges between hollows.
-class Merger {
- public:
-  Merger(const Relief& relief, const Hollows& hollows)
-      : relief_(relief),
-        hollows_(hollows),
-        parent_(hollows.lowest.size()),
-        dropped_(hollows.lowest.size(), false),
-        ridges_(hollows.lowest.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    for (std::int64_t cell = 0; cell < relief.grid.cells(); ++cell)
-      for_neighbours(relief.grid, cell, [&](std::int64_t other, bool) { take(cell, other); });
-  }
-
-  /// Until every hollow is at least `least` deep; shallowest first.
-  void merge(double least) {
-    using Entry = std::pair<double, std::int32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    for (std::size_t k = 0; k < parent_.size(); ++k)
-      queue.push({depth(static_cast<std::int32_t>(k)), static_cast<std::int32_t>(k)});
-    while (!queue.empty() && queue.top().first < least) {
-      const auto [was, k] = queue.top();
-      queue.pop();
-      if (parent_[static_cast<std::size_t>(k)] != k) continue;
-      const double now = depth(k);
-      if (now != was) {
-        queue.push({now, k});
-        continue;
-      }
-      const std::int32_t into = lowest_ridge(k).first;
-      if (into == kNone) {
-        dropped_[static_cast<std::size_t>(k)] = true;  // shallow, and open to uncut ground only
-        continue;
-      }
-      const std::int32_t winner = join(k, into);
-      queue.push({depth(winner), winner});
-    }
-  }
-
-  std::int32_t root(std::int32_t k) const {
-    while (parent_[static_cast<std::size_t>(k)] != k) k = parent_[static_cast<std::size_t>(k)];
-    return k;
-  }
-  bool dropped(std::int32_t k) const { return dropped_[static_cast<std::size_t>(k)]; }
-  double depth(std::int32_t k) const {
-    // a hollow never rises above the stock: there its rim is at the latest
-    return std::min(lowest_ridge(k).second, relief_.stock) - bottom(k);
-  }
-
- private:
-  void take(std::int64_t cell, std::int64_t other) {
-    const std::int32_t a = hollows_.label[static_cast<std::size_t>(cell)];
-    const std::int32_t b = hollows_.label[static_cast<std::size_t>(other)];
-    if (a == kNone || b == kNone || a == b) return;
-    const double over = std::max(relief_.height[static_cast<std::size_t>(cell)],
-                                 relief_.height[static_cast<std::size_t>(other)]);
-    const auto found = ridges_[static_cast<std::size_t>(a)].try_emplace(b, over).first;
-    found->second = std::min(found->second, over);
-  }
-
-  double bottom(std::int32_t k) const {
-    return relief_.height[static_cast<std::size_t>(hollows_.lowest[static_cast<std::size_t>(k)])];
-  }
-  std::pair<std::int32_t, double> lowest_ridge(std::int32_t k) const {
-    std::pair<std::int32_t, double> best{kNone, std::numeric_limits<double>::infinity()};
-    for (const auto& [other, over] : ridges_[static_cast<std::size_t>(k)])
-      if (over < best.second) best = {other, over};
-    return best;
-  }
-
-  /// Joins two hollows; the one with the lower bottom keeps its number.
-  std::int32_t join(std::int32_t a, std::int32_t b) {
-    if (std::make_pair(bottom(b), b) < std::make_pair(bottom(a), a)) std::swap(a, b);
-    auto &mine = ridges_[static_cast<std::size_t>(a)],
-         &other = ridges_[static_cast<std::size_t>(b)];
-    mine.erase(b);
-    for (const auto& [next, over] : other) {
-      if (next == a) continue;
-      auto& theirs = ridges_[static_cast<std::size_t>(next)];
-      theirs.erase(b);
-      const auto found = mine.try_emplace(next, over).first;
-      found->second = std::min(found->second, over);
-      theirs[a] = found->second;
-    }
-    other.clear();
-    parent_[static_cast<std::size_t>(b)] = a;
-    return a;
-  }
-
-  const Relief& relief_;
-  const Hollows& hollows_;
-  std::vector<std::int32_t> parent_;
-  std::vector<bool> dropped_;
-  std::vector<std::map<std::int32_t, double>> ridges_;  // ordered: the same merges every time
-};
 
 /// Centre of what is low among 5 x 5 cells around (i, j): mean of the places, weighted by how far each is
 /// below half of the mean height over `bottom`. In cells from (i, j).
@@ -278,9 +111,9 @@ DimpleMark measure(const Relief& relief, std::int64_t cell) {
 std::vector<DimpleMark> find_dimples(const Relief& relief, const FindOptions& options) {
   require_in_range("LeastDepth", options.least_depth, 0.0, 1e9, "mm");
   const Hollows hollows = label_hollows(relief);
-  Merger merger(relief, hollows);
+  HollowMerger merger(relief, hollows);
   merger.merge(options.least_depth);
-  std::vector<std::int32_t> number(hollows.lowest.size(), kNone);
+  std::vector<std::int32_t> number(hollows.lowest.size(), kNoHollow);
   std::vector<DimpleMark> marks;
   for (std::size_t k = 0; k < hollows.lowest.size(); ++k) {
     const auto hollow = static_cast<std::int32_t>(k);
@@ -294,9 +127,9 @@ std::vector<DimpleMark> find_dimples(const Relief& relief, const FindOptions& op
   std::vector<std::int64_t> cells(marks.size(), 0);
   for (std::int64_t cell = 0; cell < relief.grid.cells(); ++cell) {
     const std::int32_t label = hollows.label[static_cast<std::size_t>(cell)];
-    if (label == kNone) continue;
+    if (label == kNoHollow) continue;
     const std::int32_t mark = number[static_cast<std::size_t>(merger.root(label))];
-    if (mark == kNone) continue;
+    if (mark == kNoHollow) continue;
     ++cells[static_cast<std::size_t>(mark)];
     int around = 0;
     for_neighbours(relief.grid, cell, [&](std::int64_t other, bool) {
