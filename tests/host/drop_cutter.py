@@ -5,6 +5,7 @@ edges and corners in closed form, all triangles at a time; slow, and written wit
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import importlib
 import math
 import sys
 import types
@@ -16,17 +17,22 @@ FLAT = 1e-12
 
 
 def real_module():
-    """OpenCAMLib's own module, or None."""
-    try:
-        import ocl
-    except ImportError:
-        return None
-    return None if getattr(ocl, "stand_in", False) else ocl
+    """OpenCAMLib's own module, by its old or its new name, or None."""
+    for name in ("ocl", "opencamlib"):
+        try:
+            module = importlib.import_module(name)
+        except ImportError:
+            continue
+        if not getattr(module, "stand_in", False):
+            return module
+    return None
 
 
 def install():
-    """Makes `import ocl` give the stand-in; returns whether it was needed."""
-    if real_module() is not None:
+    """Makes `import ocl` give OpenCAMLib, or else the stand-in; returns whether that was needed."""
+    real = real_module()
+    if real is not None:
+        sys.modules["ocl"] = real
         return False
     module = types.ModuleType("ocl")
     module.stand_in = True
