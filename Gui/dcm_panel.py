@@ -113,10 +113,11 @@ class DcmPanel(Computing):
             return
         least, most = voxel_slices.slice_range(model, axis)
         place = least + (most - least) * self.place.value() / SLIDER_STEPS
-        title, (low, high), digits, (centres, values) = _slice_of(what, model, feed, limits, axis, place)
+        legend, (centres, values) = _slice_of(what, model, feed, limits, axis, place)
+        low, high = legend[1:3]
         display = core.slice_display(centres, list(values), model.grid.pitch, axis, low, high)
         self.scene.parts.show({"slice": display})
-        self.legend.show(title, low, high, digits)
+        self.legend.show(*legend)
 
     def show_arrows(self):
         on = self.arrows.isChecked() and self.result is not None
@@ -164,19 +165,19 @@ class DcmPanel(Computing):
 
 
 def _slice_of(what, model, feed, limits, axis, place):
-    """(title, (low, high), digits, (centres, values)) of a slice for display and legend."""
+    """(arguments of LegendPlace.show, (centres, values)) of a slice."""
     if what == "feed":
         centres, values = voxel_slices.feed_slice(model, feed, axis, place)
-        ends = 60.0 * limits[0] * min(model.factors), 60.0 * limits[1] * max(model.factors)
-        return translate("feed [mm/min]"), ends, 0, (centres, 60.0 * values)
+        low, high = 60.0 * limits[0] * min(model.factors), 60.0 * limits[1] * max(model.factors)
+        return (translate("feed [mm/min]"), low, high), (centres, 60.0 * values)
     if what == "tilt":
-        return translate("tilt [°]"), (0.0, 90.0), 0, voxel_slices.tilt_slice(model, axis, place)
+        return (translate("tilt [°]"), 0.0, 90.0), voxel_slices.tilt_slice(model, axis, place)
     if what == "distance":
         centres, values = voxel_slices.distance_slice(model, axis, place)
-        return translate("distance [mm]"), (0.0, max(values, default=1.0)), 1, (centres, values)
+        return (translate("distance [mm]"), 0.0, max(values, default=1.0), 1), (centres, values)
     names = ", ".join("%d %s" % pair for pair in enumerate(model.material_names))
     last = max(1, len(model.material_names) - 1)
-    return names, (0.0, last), 0, voxel_slices.material_slice(model, axis, place)
+    return (names, 0.0, last, 0, last + 1), voxel_slices.material_slice(model, axis, place)
 
 
 class DcmView:

@@ -14,9 +14,9 @@ STEPS, LABELS = 24, 5
 
 class Legend:
     """`root` is to be added to a view's scene graph. `title` says what and in which unit; `size` is the
-    view's width and height in pixels."""
+    view's width and height in pixels; `labels`, 2 or more, how many values are named."""
 
-    def __init__(self, title, low, high, digits, size):
+    def __init__(self, title, low, high, digits, size, labels=LABELS):
         self.left = MARGIN - max(1.0, size[0] / size[1])
         self.root = coin.SoAnnotation()
         camera = coin.SoOrthographicCamera()
@@ -31,8 +31,8 @@ class Legend:
         font.name, font.size = "sans", 14
         for node in (pick, camera, light, font, self._ground(), self._bar()):
             self.root.addChild(node)
-        for i in range(LABELS):
-            share = i / (LABELS - 1)
+        for i in range(labels):
+            share = i / (labels - 1)
             text = "%.*f" % (digits, low + share * (high - low))
             self.root.addChild(_text(self.left + WIDTH + 0.03, LOW + share * (HIGH - LOW) - 0.012, text))
         self.root.addChild(_text(self.left, HIGH + 0.06, title))
@@ -78,12 +78,12 @@ class LegendPlace:
     def __init__(self):
         self._root = self._legend = None
 
-    def show(self, title, low, high, digits=0):
+    def show(self, title, low, high, digits=0, labels=LABELS):
         """A legend in the place of the last one; arguments as Legend's."""
         self.hide()
         view = FreeCADGui.ActiveDocument.ActiveView
         self._root = view.getSceneGraph()
-        self._legend = Legend(title, low, high, digits, view.getSize())
+        self._legend = Legend(title, low, high, digits, view.getSize(), labels)
         self._root.addChild(self._legend.root)
 
     def hide(self):
