@@ -13,6 +13,7 @@ from patchmill_gui.computing import Computing, ComputingBox
 from patchmill_gui.legend import LegendPlace
 from patchmill_gui.path_view import PathScene, show_native_lines
 from patchmill_gui.property_form import PropertyForm
+from patchmill_gui.property_rows import QuantityRow
 from patchmill_gui.resources import icon
 from patchmill_gui.texture_summary import duration, grouped
 from patchmill_gui.widgets import let_shrink, translate
@@ -20,6 +21,7 @@ from patchmill_gui.widgets import let_shrink, translate
 AXES = ("X", "Y", "Z")
 ARROWS_PER_AXIS = 24  # about so many along the longest side
 SLIDER_STEPS = 200
+BUTTONS = 42  # pixels in a number's editor, with FreeCAD's mark of an expression
 
 
 class DcmPanel(Computing):
@@ -34,6 +36,10 @@ class DcmPanel(Computing):
         self.form.setWindowIcon(QtGui.QIcon(icon("PatchMill_DressupDcm")))
         layout = QtGui.QVBoxLayout(self.form)
         self.form_rows = PropertyForm(dressup_dcm.PROPERTIES, obj, closed=("Limits",))
+        for row in self.form_rows.rows.values():
+            if isinstance(row, QuantityRow):  # a number that is cut off is another number
+                text = row.editor.fontMetrics().boundingRect("000.00 mm/s").width()
+                row.editor.setMinimumWidth(text + BUTTONS)
         self.form_rows.show()
         self.form_rows.changed.connect(self.form_rows.store)
         for group in self.form_rows.groups.values():
