@@ -4,7 +4,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from patchmill import strategies, tool_posture
-from patchmill.texture_properties import AXIS_PROPERTIES
+from patchmill.axis_properties import AXIS_PROPERTIES
 
 MASK = {
     "MaskImage",

@@ -1,7 +1,7 @@
 """A form made from an operation's table of properties: a row for each, grouped as the table groups them,
 with its unit, its tip, and room for a sentence below it that says what is wrong.
 
-The table's rows are (type, name, group, tip, default); see patchmill.texture_properties.
+The table's rows are (type, name, group, tip, default); see patchmill.property_table.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """

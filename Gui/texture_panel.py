@@ -10,7 +10,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
-from patchmill.texture_operation import prepare, property_table
+from patchmill.texture_operation import prepare
 from patchmill.texture_plan import place_texture
 from PySide import QtCore, QtGui
 
@@ -33,7 +33,7 @@ class TexturePage(OperationPage):
 
     def getForm(self):
         form, layout = self.begin_form(
-            property_table(self.obj), closed=("Limits", "Mask", "Phase", "Tool axis", "Check")
+            self.obj.Proxy.properties(), closed=("Limits", "Mask", "Phase", "Tool axis", "Check")
         )
         picture = QtGui.QLabel()
         picture.setPixmap(QtGui.QIcon(path("icons", "quantities.svg")).pixmap(PICTURE_WIDTH, PICTURE_WIDTH))

@@ -15,7 +15,8 @@ import _patchmill as core
 from _patchmill import InputError
 
 from patchmill import host, machines
-from patchmill.texture_operation import ObjectTexture, create, setup_properties
+from patchmill.operation import create, setup_properties
+from patchmill.texture_operation import ObjectTexture
 
 
 class ObjectCalibrationPatch(ObjectTexture):

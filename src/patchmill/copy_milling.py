@@ -15,14 +15,13 @@ from dataclasses import dataclass
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import hooks, host, removal_model, tool_controller
-from patchmill.texture_operation import create
-from patchmill.translate import QT_TRANSLATE_NOOP
+from patchmill import host, removal_model, tool_controller
+from patchmill.operation import BallEndOperation, create, setup_properties
+from patchmill.operation import recompute  # noqa: F401  for macros: it returns the ToolPath
 
 MODES = ["Scanning", "Contour", "Scanning with undercuts"]
 OVERLAP = 0.87  # of the ball's radius that lines go beyond the stock: slopes up to 60 degrees are finished
 PASSES = ["Roughing and finishing", "Roughing", "Finishing"]
-# type, name, group, tip, default; a list as default is an enumeration, its first value the default
 PROPERTIES = [
     ("App::PropertyEnumeration", "Mode", "Copy", "Lines in planes along X, or contours at levels", MODES),
     ("App::PropertyEnumeration", "Passes", "Copy", "Layers from the stock, the last pass, or both", PASSES),
@@ -39,46 +38,21 @@ RESULTS = [
 ]
 
 
-class ObjectCopyMilling(host.PathOp.ObjectOp):
-    """An operation's proxy. `path` is the _patchmill.ToolPath of the last good execute, `error` the
-    InputError of the last one, else None. `ready`: a ToolPath that was made beforehand of what the
-    operation has now; the next execute takes it. None of them is saved."""
+class ObjectCopyMilling(BallEndOperation):
+    """An operation's proxy. `path` is the _patchmill.ToolPath of the last good execute, else None. `ready`: a
+    ToolPath that was made beforehand of what the operation has now; the next execute takes it. Neither is
+    saved."""
 
-    path = error = ready = None
+    RESULT = "path"
+    path = ready = None
 
-    def opFeatures(self, obj):
-        op = host.PathOp
-        return op.FeatureTool | op.FeatureHeights | op.FeatureBaseFaces | op.FeatureCoolant
+    @classmethod
+    def properties(cls):
+        return PROPERTIES
 
-    def isToolSupported(self, obj, tool):
-        return host.takes_ball_end(obj, tool)
-
-    def initOperation(self, obj):
-        self._add_properties(obj)
-
-    def opOnDocumentRestored(self, obj):
-        self._add_properties(obj)
-        hooks.announce_restored(obj)
-
-    def opSetDefaultValues(self, obj, job):
-        for _, name, _, _, default in PROPERTIES:
-            setattr(obj, name, default[0] if isinstance(default, list) else default)
-
-    def _add_properties(self, obj):
-        for kind, name, group, tip, default in PROPERTIES:
-            if not hasattr(obj, name):
-                obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
-                setattr(obj, name, default)
-        for kind, name, group, tip in RESULTS:
-            if not hasattr(obj, name):
-                obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
-            obj.setEditorMode(name, 1)
-
-    def execute(self, obj):
-        """As ObjectOp.execute, but an operation that fails leaves no old path to be posted."""
-        self.path = self.error = None
-        obj.Path = host.Path.Path()
-        return super().execute(obj)
+    @classmethod
+    def results(cls):
+        return RESULTS
 
     def opExecute(self, obj):
         ready, self.ready = self.ready, None
@@ -254,23 +228,12 @@ def _check(obj, tool):
 
 def SetupProperties():
     """Names of the properties that a job's setup sheet may hold defaults for."""
-    return [name for _, name, _, _, _ in PROPERTIES]
+    return setup_properties(ObjectCopyMilling)
 
 
 def Create(name, obj=None, parentJob=None):
     """A new CopyMilling in the active document; `parentJob` is the Job it goes into."""
     return create(ObjectCopyMilling, name, obj, parentJob)
-
-
-def recompute(obj):
-    """Recomputes one operation and returns its ToolPath. Raises InputError if there is none."""
-    obj.touch()
-    obj.Document.recompute()
-    if obj.Proxy.error is not None:
-        raise obj.Proxy.error
-    if obj.Proxy.path is None:
-        raise InputError(obj.Label, "not computed", "FreeCAD refused it: check its job and tool.")
-    return obj.Proxy.path
 
 
 host.register_operation("CopyMilling", Create, SetupProperties)

@@ -11,11 +11,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill import dcm, hooks, host, removal_model
+from patchmill import dcm, hooks, host, property_table, removal_model
 from patchmill.translate import QT_TRANSLATE_NOOP
 
 CONTROLS = ["Feed", "Posture", "Feed and posture"]
-# type, name, group, tip, default; a list as default is an enumeration, its first value the default
 PROPERTIES = [
     ("App::PropertyEnumeration", "Controls", "DCM", "What is taken from the voxel model", CONTROLS),
     ("App::PropertyLength", "VoxelSize", "DCM", "Side of a voxel", 2.0),
@@ -102,7 +101,7 @@ class DressupDCM:
             "App::PropertyLink", "Base", "Base", QT_TRANSLATE_NOOP("App::Property", "Path to modify")
         )
         obj.Base = base
-        add_properties(obj)
+        property_table.add(obj, PROPERTIES, RESULTS)
 
     def dumps(self):
         return None
@@ -117,7 +116,7 @@ class DressupDCM:
         return None
 
     def onDocumentRestored(self, obj):
-        add_properties(obj)
+        property_table.add(obj, PROPERTIES, RESULTS)
         hooks.announce_restored(obj)
 
     def onDelete(self, obj, args=None):
@@ -153,18 +152,6 @@ def compute(given, file, progress=None):
     the model is kept, or ''. None if `progress` (share -> bool) returned False. Raises InputError."""
     model = removal_model.make(given.model, file, progress)
     return model and (model, dcm.apply(given, model))
-
-
-def add_properties(obj):
-    """Those that the object lacks: new ones, and those of documents of older versions."""
-    for kind, name, group, tip, default in PROPERTIES:
-        if not hasattr(obj, name):
-            obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
-            setattr(obj, name, default)  # a list sets an enumeration's choices
-    for kind, name, group, tip in RESULTS:
-        if not hasattr(obj, name):
-            obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
-        obj.setEditorMode(name, 1)
 
 
 def show_results(obj, model, result):

@@ -10,7 +10,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import _patchmill as core
 
 from patchmill import host
-from patchmill.texture_operation import ObjectTexture, create, setup_properties
+from patchmill.operation import create, setup_properties
+from patchmill.texture_operation import ObjectTexture
 
 
 class ObjectPlanarTexture(ObjectTexture):

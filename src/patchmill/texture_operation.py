@@ -15,12 +15,12 @@ import Part
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import axis_field, hooks, host, tool_controller
+from patchmill import axis_field, host, tool_controller
+from patchmill.operation import BallEndOperation, made, recompute
 from patchmill.texture_mask import MaskInput, curve_loops
 from patchmill.texture_plan import PlannedTexture, TextureInput, plan_texture
-from patchmill.texture_properties import PROPERTIES, RESULTS, of_setup_sheet
-from patchmill.texture_results import show_results
-from patchmill.translate import QT_TRANSLATE_NOOP
+from patchmill.texture_properties import PROPERTIES
+from patchmill.texture_results import RESULTS, show_results
 
 
 @dataclass
@@ -46,59 +46,29 @@ def prepare(given, progress=None):
     return ReadyTexture(plan, commands if plan.posture else host.begin_upright(commands))
 
 
-class ObjectTexture(host.PathOp.ObjectOp):
-    """An operation's proxy. `planned` is the PlannedTexture of the last good execute, else None;
-    `error` the InputError of the last execute, else None. `ready` is a ReadyTexture that was planned
-    beforehand, in the background, or None; it is used if the input is still the same. None of them is
-    saved. A subclass names its SURFACE, as _patchmill.PatchSurface does, and its OWN_PROPERTIES."""
+class ObjectTexture(BallEndOperation):
+    """An operation's proxy. `planned` is the PlannedTexture of the last good execute, else None. `ready` is a
+    ReadyTexture that was planned beforehand, in the background, or None; it is used if the input is still the
+    same. Neither is saved. A subclass names its SURFACE, as _patchmill.PatchSurface does, and its
+    OWN_PROPERTIES."""
 
+    RESULT = "planned"
     SURFACE = None
     CALIBRATING = False
     OWN_PROPERTIES = []
     OWN_RESULTS = []
-    planned = None
-    error = None
-    ready = None
+    planned = ready = None
     posture_field = None  # instead of PostureField: (positions, normals) -> (n, 3) axes; not saved
 
-    def opFeatures(self, obj):
-        op = host.PathOp
-        return op.FeatureTool | op.FeatureHeights | op.FeatureBaseFaces | op.FeatureCoolant
+    @classmethod
+    def properties(cls):
+        return PROPERTIES + cls.OWN_PROPERTIES
 
-    def isToolSupported(self, obj, tool):
-        return host.takes_ball_end(obj, tool)
-
-    def initOperation(self, obj):
-        self._add_properties(obj)
-
-    def opOnDocumentRestored(self, obj):
-        self._add_properties(obj)  # documents of older versions
-        hooks.announce_restored(obj)
-
-    def opSetDefaultValues(self, obj, job):
-        for _, name, _, _, default in PROPERTIES + self.OWN_PROPERTIES:
-            setattr(obj, name, default[0] if isinstance(default, list) and default else default)
-
-    def _add_properties(self, obj):
-        properties = PROPERTIES + self.OWN_PROPERTIES
-        if not hasattr(obj, "TypeId"):  # FreeCAD asks what a setup sheet may hold
-            properties = of_setup_sheet(properties)
-        for kind, name, group, tip, default in properties:
-            if not hasattr(obj, name):
-                obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
-                setattr(obj, name, default)  # a list sets an enumeration's choices
-        if not hasattr(obj, "TypeId"):
-            return
-        for kind, name, group, tip in RESULTS + self.OWN_RESULTS:
-            if not hasattr(obj, name):
-                obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
-            obj.setEditorMode(name, 1)
+    @classmethod
+    def results(cls):
+        return RESULTS + cls.OWN_RESULTS
 
     def execute(self, obj):
-        """As ObjectOp.execute, but an operation that fails leaves no old path to be posted."""
-        self.planned = None
-        self.error = None
-        obj.Path = host.Path.Path()
         result = super().execute(obj)
         if self.planned is not None and self.planned.posture is not None:
             obj.Path = host.without_last_rapid(obj.Path)
@@ -152,7 +122,7 @@ class ObjectTexture(host.PathOp.ObjectOp):
             mask=_mask(obj),
             calibrating=self.CALIBRATING,
             posture_field=self.posture_field or axis_field.of(obj, tool.radius),
-            **_values(obj, PROPERTIES + self.OWN_PROPERTIES),
+            **_values(obj, self.properties()),
         )
 
 
@@ -219,58 +189,9 @@ def _tool(controller):
     return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, flutes)
 
 
-def property_table(obj):
-    """The operation's properties that a user sets, as (type, name, group, tip, default)."""
-    return PROPERTIES + obj.Proxy.OWN_PROPERTIES
-
-
-def setup_properties(proxy_class):
-    """Names of the properties that a job's setup sheet may hold defaults for."""
-    return [row[1] for row in of_setup_sheet(PROPERTIES + proxy_class.OWN_PROPERTIES)]
-
-
-def create(proxy_class, name, obj, parentJob):
-    """A new operation in the active document; `parentJob` is the Job it goes into."""
-    if obj is None:
-        obj = FreeCAD.ActiveDocument.addObject("Path::FeaturePython", name)
-    obj.Proxy = proxy_class(obj, name, parentJob)
-    return hooks.announce(obj)
-
-
-def recompute(obj):
-    """Recomputes one operation and returns its PlannedTexture. Raises InputError if it cannot be
-    planned; FreeCAD itself would only mark the object."""
-    obj.Proxy.planned = obj.Proxy.error = None
-    obj.touch()
-    obj.Document.recompute()
-    return planned(obj)
-
-
 def planned(obj):
     """The PlannedTexture of an operation, recomputing it if the document was just opened.
     Raises InputError with the reason if there is none."""
-    proxy = obj.Proxy
-    if proxy.planned is None and proxy.error is None:
-        obj.touch()
-        obj.Document.recompute()
-    if proxy.error is not None:
-        raise proxy.error
-    if proxy.planned is None:
-        raise _refused_by_freecad(obj)
-    return proxy.planned
-
-
-def _refused_by_freecad(obj):
-    """The InputError for an operation that FreeCAD did not execute."""
-    broken = [name for name in obj.PropertiesList if "Invalid" in _state_of(getattr(obj, name))]
-    if broken:
-        other = getattr(obj, broken[0]).Label
-        return InputError(broken[0], other, "it has an error, so that nothing after it is computed: mend it.")
-    return InputError(
-        obj.Label, "not computed", "FreeCAD refused it: check its job, base faces and tool."
-    )
-
-
-def _state_of(value):
-    """What FreeCAD says of a linked object; nothing for other values."""
-    return value.State if hasattr(value, "TypeId") and hasattr(value, "State") else []
+    if obj.Proxy.planned is None and obj.Proxy.error is None:
+        return recompute(obj)
+    return made(obj)

@@ -1,84 +1,13 @@
-"""The property table of the texture operations: what panels, setup sheets and documents are made from.
+"""The property table of the texture operations (see property_table for what its rows are).
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import FreeCAD
 
-from patchmill import strategies, tool_posture
+from patchmill import strategies
+from patchmill.axis_properties import AXIS_PROPERTIES
 
-AXIS_PROPERTIES = [
-    (
-        "App::PropertyEnumeration",
-        "ToolAxisMode",
-        "Tool axis",
-        "Fixed axis, surface normal with lead and tilt, fixed axis but leaned away from the normal, or field",
-        list(tool_posture.MODES),
-    ),
-    (
-        "App::PropertyVector",
-        "FixedAxis",
-        "Tool axis",
-        "Direction from the tip to the holder; other than Z it needs rotary axes",
-        FreeCAD.Vector(0, 0, 1),
-    ),
-    ("App::PropertyAngle", "Lead", "Tool axis", "Lean from the normal towards the feed", 15.0),
-    ("App::PropertyAngle", "Tilt", "Tool axis", "Lean from the normal to the left of the feed", 0.0),
-    (
-        "App::PropertyAngle",
-        "MinimumLead",
-        "Tool axis",
-        "Least angle between tool axis and normal, so that the tip does not cut",
-        10.0,
-    ),
-    (
-        "App::PropertyVector",
-        "LeadTowards",
-        "Tool axis",
-        "Direction that the lead leans towards instead of the feed; zero: the feed",
-        FreeCAD.Vector(0, 0, 0),
-    ),
-    (
-        "App::PropertyLink",
-        "PostureField",
-        "Tool axis",
-        "DCM modifier whose voxel model gives the axes; none: the job's stock less its model",
-        None,
-    ),
-    ("App::PropertyLength", "FieldVoxelSize", "Tool axis", "Side of a voxel if no modifier is named", 2.0),
-    (
-        "App::PropertyAngle",
-        "AxisSmoothing",
-        "Tool axis",
-        "By how much an axis may be drawn towards its neighbours'",
-        0.0,
-    ),
-    ("App::PropertyAngle", "WidestTilt", "Tool axis", "Greatest angle of the axis to Z", 180.0),
-    (
-        "App::PropertyAngle",
-        "RowTolerance",
-        "Tool axis",
-        "Spindle-locked rows keep one axis; greatest angle between it and the one asked for (half of it is "
-        "used to turn less from row to row)",
-        10.0,
-    ),
-    (
-        "App::PropertyEnumeration",
-        "ProgramForm",
-        "Tool axis",
-        "Whether the controller keeps the tool point (TCP), or the program is referred to the pivots",
-        list(tool_posture.FORMS),
-    ),
-    (
-        "App::PropertyLength",
-        "GaugeLength",
-        "Tool axis",
-        "Length from the spindle's gauge point to the tip, for tilting heads without TCP",
-        0.0,
-    ),
-]
-
-# type, name, group, tip, default; a list as default is an enumeration, its first value the default
 PROPERTIES = [
     (
         "App::PropertyLength",
@@ -327,40 +256,3 @@ PROPERTIES = [
         1.0,
     ),
 ]
-# type, name, group, tip; read-only
-RESULTS = [
-    ("App::PropertyInteger", "DimpleCount", "Result", "Dimples that are milled"),
-    ("App::PropertyString", "LeftOut", "Result", "Lattice points left out, by reason"),
-    ("App::PropertyFloat", "TurnsPerDimple", "Result", "Mean spindle turns from dimple to dimple"),
-    ("App::PropertyString", "Verdict", "Result", "Whether the machine can hold the phase"),
-    ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves but rapids, in seconds"),
-    ("App::PropertyLength", "FoundSpacing", "Result", "Distance of neighbouring dimples"),
-    ("App::PropertyLength", "FoundDepth", "Result", "Depth of the dimples"),
-    ("App::PropertyLength", "FoundDiameter", "Result", "Diameter of a dimple's rim"),
-    ("App::PropertyFloat", "FoundAreaShare", "Result", "Share of the faces that is dimple, 0 to 1"),
-    ("App::PropertyLength", "FoundRidgeHeight", "Result", "Height of what stays between dimples"),
-    ("App::PropertyAngle", "RubbingTilt", "Result", "Tilt below which the tip rubs in a dimple"),
-    ("App::PropertyInteger", "RubbingDimples", "Result", "Milled dimples in which the tip rubs"),
-    ("App::PropertyLength", "SpacingLeast", "Result", "Least distance of neighbours, measured"),
-    ("App::PropertyLength", "SpacingGreatest", "Result", "Greatest distance of neighbours, measured"),
-    ("App::PropertyFloat", "SpacingRms", "Result", "Root mean square of distance / spacing - 1"),
-    ("App::PropertyAngle", "LatticeAngleLeast", "Result", "Least angle of lattice directions, measured"),
-    (
-        "App::PropertyAngle",
-        "LatticeAngleGreatest",
-        "Result",
-        "Greatest angle of lattice directions, measured",
-    ),
-    ("App::PropertyVector", "FoundDirection", "Result", "Direction of the projection"),
-]
-
-# What a job's setup sheet can hold defaults for; FreeCAD knows no others there.
-_SETUP_KINDS = {
-    "App::Property" + kind
-    for kind in ("Angle", "Bool", "Distance", "Enumeration", "Float", "Integer", "Length", "String")
-}
-
-
-def of_setup_sheet(properties):
-    """Those of a table's rows that a job's setup sheet can hold."""
-    return [row for row in properties if row[0] in _SETUP_KINDS]

@@ -1,4 +1,4 @@
-"""What a texture operation shows of its plan: the properties in texture_properties.RESULTS.
+"""What a texture operation shows of its plan: the table of these properties, and their values.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -8,6 +8,32 @@ import math
 import FreeCAD
 
 from patchmill.free_form import phase_differences
+
+RESULTS = [
+    ("App::PropertyInteger", "DimpleCount", "Result", "Dimples that are milled"),
+    ("App::PropertyString", "LeftOut", "Result", "Lattice points left out, by reason"),
+    ("App::PropertyFloat", "TurnsPerDimple", "Result", "Mean spindle turns from dimple to dimple"),
+    ("App::PropertyString", "Verdict", "Result", "Whether the machine can hold the phase"),
+    ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves but rapids, in seconds"),
+    ("App::PropertyLength", "FoundSpacing", "Result", "Distance of neighbouring dimples"),
+    ("App::PropertyLength", "FoundDepth", "Result", "Depth of the dimples"),
+    ("App::PropertyLength", "FoundDiameter", "Result", "Diameter of a dimple's rim"),
+    ("App::PropertyFloat", "FoundAreaShare", "Result", "Share of the faces that is dimple, 0 to 1"),
+    ("App::PropertyLength", "FoundRidgeHeight", "Result", "Height of what stays between dimples"),
+    ("App::PropertyAngle", "RubbingTilt", "Result", "Tilt below which the tip rubs in a dimple"),
+    ("App::PropertyInteger", "RubbingDimples", "Result", "Milled dimples in which the tip rubs"),
+    ("App::PropertyLength", "SpacingLeast", "Result", "Least distance of neighbours, measured"),
+    ("App::PropertyLength", "SpacingGreatest", "Result", "Greatest distance of neighbours, measured"),
+    ("App::PropertyFloat", "SpacingRms", "Result", "Root mean square of distance / spacing - 1"),
+    ("App::PropertyAngle", "LatticeAngleLeast", "Result", "Least angle of lattice directions, measured"),
+    (
+        "App::PropertyAngle",
+        "LatticeAngleGreatest",
+        "Result",
+        "Greatest angle of lattice directions, measured",
+    ),
+    ("App::PropertyVector", "FoundDirection", "Result", "Direction of the projection"),
+]
 
 
 def show_results(obj, plan):
