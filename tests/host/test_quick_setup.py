@@ -63,7 +63,7 @@ class QuickSetup(unittest.TestCase):
         operation.Spacing = 0.25
         given = operation.Proxy.texture_input(operation)
         ready = texture_operation.prepare(given)
-        whole = host.Path.Path(str(ready.planned.pacing.text)).Commands
+        whole = host.begin_upright(host.Path.Path(str(ready.planned.pacing.text)).Commands)
         self.assertEqual([c.toGCode() for c in ready.commands], [c.toGCode() for c in whole])
         self.assertGreater(len(ready.planned.pacing.text), 1)  # it was read in parts
         operation.Proxy.ready = ready
