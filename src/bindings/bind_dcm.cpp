@@ -188,20 +188,21 @@ void bind_grid(py::module_& m) {
            "(places, unit axes), both (n, 3), of every stride-th voxel to be removed.");
   m.def(
       "estimate_voxels",
-      [](const Solid& stock, const Solid& part, double pitch) {
+      [](const Solid& stock, const Solid& part, double pitch, int posture_fields) {
         const GridFrame frame = frame_over(bounds(stock.mesh), pitch);
-        return estimate_dict(estimate_memory(frame,
-                                             std::max(0.0, volume(stock.mesh) - volume(part.mesh)),
-                                             surface_area(stock.mesh) + surface_area(part.mesh)));
+        return estimate_dict(
+            estimate_memory(frame, std::max(0.0, volume(stock.mesh) - volume(part.mesh)),
+                            surface_area(stock.mesh) + surface_area(part.mesh), posture_fields));
       },
-      py::arg("stock"), py::arg("part"), py::arg("pitch"), "Bytes foreseen, nothing allocated.");
+      py::arg("stock"), py::arg("part"), py::arg("pitch"), py::arg("posture_fields") = 2,
+      "Bytes foreseen, nothing allocated. `posture_fields`: 2 angles or 3 components.");
   m.def(
       "voxelise",
-      [](const Solid& stock, const Solid& part, double pitch, double limit) {
-        return voxelise(stock.mesh, part.mesh, {pitch, limit});
+      [](const Solid& stock, const Solid& part, double pitch, double limit, int posture_fields) {
+        return voxelise(stock.mesh, part.mesh, {pitch, limit, posture_fields});
       },
       py::arg("stock"), py::arg("part"), py::arg("pitch"),
-      py::arg("memory_limit") = VoxelOptions().memory_limit,
+      py::arg("memory_limit") = VoxelOptions().memory_limit, py::arg("posture_fields") = 2,
       py::call_guard<py::gil_scoped_release>(), "VoxelGrid with cubes of side `pitch` [mm].");
   m.def(
       "save_voxels",

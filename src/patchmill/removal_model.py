@@ -36,6 +36,10 @@ class ModelInput:
     tilt_limit: float = 70.0
     materials: tuple = ()  # of materials.Material: other than the stock's own
 
+    @property
+    def posture_fields(self):
+        return 3 if self.form == "Unit vector" else 2
+
     def key(self, stock, part, bodies):
         """Says whether a saved model is of the same input. The shapes count by their triangles to 1e-6 mm,
         since a reopened document does not give back the same BREP texts."""
@@ -143,7 +147,8 @@ def estimate(given):
     allocated for it yet."""
     _check(given)
     part = _solid(given.part, given.deflection, "Model")
-    return core.estimate_voxels(_solid(given.stock, given.deflection, "Stock"), part, given.pitch)
+    stock = _solid(given.stock, given.deflection, "Stock")
+    return core.estimate_voxels(stock, part, given.pitch, given.posture_fields)
 
 
 def file_beside(document, name):
@@ -162,7 +167,7 @@ def _check(given):
 
 def _new(given, stock, part, bodies, progress):
     try:
-        grid = core.voxelise(stock, part, given.pitch, given.memory_limit * MIB)
+        grid = core.voxelise(stock, part, given.pitch, given.memory_limit * MIB, given.posture_fields)
     except InputError as error:  # the core's own names are not the properties'
         names = {"voxel size": "VoxelSize", "part": "Model", "stock": "Stock", "removal volume": "Stock"}
         raise InputError(names.get(error.property, error.property), error.value, error.remedy) from error

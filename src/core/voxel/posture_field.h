@@ -2,7 +2,7 @@
 // about x and phi about y are given by the normal of the product surface in surface voxels, limited
 // to
 // +-70 degrees, zero in exterior voxels, and diffused in three dimensions; here solved to the
-// steady state, both angles in one pass (laplace_solver.h).
+// steady state (laplace_solver.h).
 //
 // The paper gives no order of the two rotations. They are read as the angles of the axis'
 // projections: t is parallel to (tan phi, -tan theta, 1). The limit is applied so that the

@@ -53,18 +53,19 @@ std::array<std::int64_t, kVoxelKinds> count_kinds(const VoxelGrid& grid);
 /// Bytes for a job, and the refusal of one that is too large.
 struct MemoryEstimate {
   double grid = 0.0;    ///< the voxel model itself
-  double fields = 0.0;  ///< feed (three doubles) and posture (two floats) of every stored voxel
+  double fields = 0.0;  ///< feed (three doubles) and posture (floats) of every stored voxel
   double solver = 0.0;  ///< what solving the posture, done first, takes beyond that
   double total() const { return grid + fields + solver; }
 };
 
 /// Foreseen from the volume [mm^3] that will be stored and the area [mm^2] that bounds it: a
-/// surface of random direction and area A meets 1.5 A / L^2 cubes of side L. The posture is that of two
-/// angles; the unit vector takes 8 bytes a voxel more while it is solved.
-MemoryEstimate estimate_memory(const GridFrame& frame, double volume, double area);
+/// surface of random direction and area A meets 1.5 A / L^2 cubes of side L. The posture has `posture_fields`
+/// components: two angles, or three of the unit vector.
+MemoryEstimate estimate_memory(const GridFrame& frame, double volume, double area,
+                               int posture_fields = 2);
 
 /// Exact, for bricks that are known.
-MemoryEstimate memory_of(const BrickTable& table);
+MemoryEstimate memory_of(const BrickTable& table, int posture_fields = 2);
 
 /// Throws InputError naming the bytes and the voxel size that would fit, if total() is over
 /// `limit`.

@@ -264,8 +264,10 @@ TEST(Memory, AHundredMillionVoxelsOfBoxFitInFourGiB) {
                                    4.0 * 1024 * 1024 * 1024, frame));
 }
 
+class PeakOf : public testing::TestWithParam<PostureForm> {};
+
 // Model, posture and feed of 168^3 voxels, 88 % to be removed: what the process took at the worst moment.
-TEST(Memory, ThePeakIsWhatWasForeseen) {
+TEST_P(PeakOf, ModelPostureAndFeedIsWhatWasForeseen) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer has its own memory";
 #endif
@@ -276,12 +278,15 @@ TEST(Memory, ThePeakIsWhatWasForeseen) {
   const PeakMemory peak;
   if (!peak.known()) GTEST_SKIP() << "this system does not say it";
   const VoxelGrid grid = voxelise(stock, part, options);
-  const PostureField posture = steady_posture(grid, part, bvh);
+  PostureOptions posture_options;
+  posture_options.form = GetParam();
+  const PostureField posture = steady_posture(grid, part, bvh, posture_options);
+  const int fields = static_cast<int>(posture.value.size());
   ASSERT_TRUE(posture.outcome.converged);
   const FeedField feed = steady_feed(grid, {5.0, 10.0});
-  const double taken = peak.bytes(), exact = memory_of(grid.table).total();
+  const double taken = peak.bytes(), exact = memory_of(grid.table, fields).total();
   const double foreseen = estimate_memory(grid.frame, volume(stock) - volume(part),
-                                          surface_area(stock) + surface_area(part))
+                                          surface_area(stock) + surface_area(part), fields)
                               .total();
   std::printf("peak %.1f MB; %.1f for the bricks stored, %.1f foreseen\n", 1e-6 * taken,
               1e-6 * exact, 1e-6 * foreseen);
@@ -290,6 +295,9 @@ TEST(Memory, ThePeakIsWhatWasForeseen) {
   EXPECT_GT(taken, 0.85 * exact);
   EXPECT_EQ(feed.along[0].size(), posture.value[0].size());
 }
+
+INSTANTIATE_TEST_SUITE_P(Memory, PeakOf,
+                         testing::Values(PostureForm::Angles, PostureForm::UnitVector));
 
 TEST(Memory, EstimateIsCloseToWhatIsStored) {
   const TriangleMesh stock = box_mesh(Vec3::Constant(-32), Vec3::Constant(32));
