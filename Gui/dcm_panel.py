@@ -16,7 +16,7 @@ from patchmill_gui.property_form import PropertyForm
 from patchmill_gui.property_rows import QuantityRow
 from patchmill_gui.resources import icon
 from patchmill_gui.texture_summary import duration, grouped
-from patchmill_gui.widgets import let_shrink, translate
+from patchmill_gui.widgets import button_number, let_shrink, translate
 
 AXES = ("X", "Y", "Z")
 ARROWS_PER_AXIS = 24  # about so many along the longest side
@@ -141,7 +141,7 @@ class DcmPanel(Computing):
         self.scene.parts.show({"arrows": display})
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+        return button_number(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def accept(self):
         self.compute(True)

@@ -19,11 +19,12 @@ class OperationView(native("operation").ViewProvider):
         self.deleteOnReject = False  # what Cancel takes back is the transaction that made it, if that is open
         vobj.Proxy = self
 
-    def __setstate__(self, state):
-        super().__setstate__(state)
+    def loads(self, state):
+        above = super()
+        (above.loads if hasattr(above, "loads") else above.__setstate__)(state)
         self.deleteOnReject = False
 
-    loads = __setstate__
+    __setstate__ = loads  # FreeCAD 0.20 knows it by this name
 
     def getSelectionFactory(self):
         return native("selection").fselect

@@ -35,8 +35,10 @@ def _attach_missing(document, name):
         view = each.ViewObject if each is not None else None
         if view is not None and view.Proxy in (None, 0, 1):
             attach_view(each)
-            if getattr(view.Proxy, "obj", None) is None and getattr(view.Proxy, "Object", None) is None:
-                view.Proxy.attach(view)  # FreeCAD does so for the first proxy of a view only
+            proxy = view.Proxy
+            about = getattr(proxy, "Object", getattr(proxy, "obj", None))
+            if about is None or getattr(proxy, "vobj", None) is None:
+                proxy.attach(view)  # FreeCAD does so for the first proxy of a view only
 
 
 def attach_view(obj):
@@ -49,7 +51,9 @@ def attach_view(obj):
 
     workbench.start()
     if hasattr(obj, "PostProcessor"):  # a job
-        obj.ViewObject.Proxy = native("job").ViewProvider(obj.ViewObject)
+        view = native("job").ViewProvider(obj.ViewObject)
+        view.obj = obj  # FreeCAD asks for it before it attaches the view
+        obj.ViewObject.Proxy = view
         obj.ViewObject.addExtension("Gui::ViewProviderGroupExtensionPython")
     else:
         attach_to(obj)

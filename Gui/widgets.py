@@ -25,6 +25,11 @@ def let_shrink(editor):
             widget.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
 
 
+def button_number(buttons):
+    """Standard buttons as the number that a task panel gives FreeCAD: PySide6 has enumerations instead."""
+    return int(getattr(buttons, "value", buttons))
+
+
 def wrapping_label(text=""):
     """A label that breaks its text at whatever width the panel has, and asks for none itself."""
     label = QtGui.QLabel(text)

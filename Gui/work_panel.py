@@ -8,7 +8,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from patchmill_gui.background import Background
-from patchmill_gui.widgets import ERROR_COLOUR, ProgressBar, wrapping_label
+from patchmill_gui.widgets import ERROR_COLOUR, ProgressBar, button_number, wrapping_label
 
 
 class ClosePanel:
@@ -21,7 +21,7 @@ class ClosePanel:
         self.layout = QtGui.QVBoxLayout(self.form)
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return button_number(QtGui.QDialogButtonBox.Close)
 
     def leave(self):
         """Called when the panel closes."""

@@ -163,6 +163,20 @@ def run_tests(*cases):
     return 0 if result.wasSuccessful() and result.testsRun else 1
 
 
+def accept_import_options():
+    """FreeCAD 1.0 and later ask how to read a STEP file: OK, as a user says, until a document is there."""
+
+    def look():
+        if FreeCAD.ActiveDocument is not None:
+            return
+        dialog = QtGui.QApplication.activeModalWidget()
+        if isinstance(dialog, QtGui.QDialog) and not isinstance(dialog, QtGui.QFileDialog):
+            dialog.accept()
+        QtCore.QTimer.singleShot(50, look)
+
+    QtCore.QTimer.singleShot(50, look)
+
+
 def answer_file_dialog(name):
     """The next file dialog gets `name`, as if typed, and OK."""
 

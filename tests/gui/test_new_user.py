@@ -21,6 +21,7 @@ class NewUser(unittest.TestCase):
     def test_from_a_step_file_to_a_program(self):
         FreeCADGui.activateWorkbench("PatchMillWorkbench")
         driver.answer_file_dialog(STEP)
+        driver.accept_import_options()
         FreeCADGui.runCommand("Std_Open")
         self.assertTrue(driver.wait(lambda: FreeCAD.ActiveDocument is not None))
         document = FreeCAD.ActiveDocument
