@@ -9,7 +9,10 @@ import FreeCAD
 import numpy as np
 import Part
 import Path
-from patchmill import host
+from patchmill import DressupDCM, host
+
+CONTACT = 0.001  # mm that a dressup may move the contact point
+LOW, HIGH = 400.0 / 60.0, 800.0 / 60.0  # mm/s, its feeds at the product and at the skin
 
 
 def native(name):
@@ -137,12 +140,25 @@ def distance_to_lines(points, corners):
     return worst
 
 
+def dress(operation, **properties):
+    """A DressupDCM with voxels of 1 mm and these properties, not yet recomputed."""
+    dressup = DressupDCM.Create("DressupDCM", operation)
+    dressup.VoxelSize = 1.0
+    for name, value in properties.items():
+        setattr(dressup, name, value)
+    return dressup
+
+
 __all__ = [
+    "CONTACT",
+    "HIGH",
+    "LOW",
     "Path",
     "add_pocket",
     "add_profile",
     "distance_off",
     "distance_to_lines",
+    "dress",
     "make_job",
     "pocket_part",
     "trace",

@@ -16,6 +16,7 @@ import patchmill
 from patchmill import host
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from parts import WithDocuments  # noqa: E402
 from recipe import small_job  # noqa: E402
 
 
@@ -52,11 +53,7 @@ def slope_with_wall(height):
     raise AssertionError("no sloping face")
 
 
-class Checks(unittest.TestCase):
-    def tearDown(self):
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
-
+class Checks(WithDocuments):
     def post(self, job):
         """What posting raised, or None; the file must be there only if nothing was raised."""
         with tempfile.TemporaryDirectory() as folder:

@@ -19,6 +19,7 @@ import numpy as np  # noqa: E402
 import Part  # noqa: E402
 import patchmill  # noqa: E402
 from milling_jobs import make_job, pocket_part  # noqa: E402
+from parts import WithDocuments  # noqa: E402
 from patchmill import CopyMilling, InputError, host  # noqa: E402
 from test_real_parts import IDF, OCCT, read  # noqa: E402
 
@@ -68,11 +69,7 @@ def job_with_stock(shape, margin=0.0, name="copy"):
     return document, job
 
 
-class CopyMillingTest(unittest.TestCase):
-    def tearDown(self):
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
-
+class CopyMillingTest(WithDocuments):
     def mill(self, job, **properties):
         operation = CopyMilling.Create("Copy", parentJob=job)
         for name, value in properties.items():

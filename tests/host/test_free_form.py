@@ -11,25 +11,18 @@ import sys
 import tempfile
 import unittest
 
-import FreeCAD
 import numpy as np
 import patchmill
 from patchmill import advisor, free_form
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from parts import WithDocuments  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RECIPE = runpy.run_path(str(ROOT / "Resources" / "recipes" / "matsuda2008" / "run.py"))
 
 
-class FreeForm(unittest.TestCase):
-    def tearDown(self):
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
-
-    def assert_refused(self, operation, name):
-        with self.assertRaises(patchmill.InputError) as caught:
-            patchmill.recompute(operation)
-        self.assertEqual(caught.exception.property, name)
-
+class FreeForm(WithDocuments):
     def test_experiments_make_the_predicted_arrays(self):
         for part in RECIPE["PARTS"]:
             for array in RECIPE["ARRAYS"]:

@@ -17,12 +17,22 @@ import FreeCAD  # noqa: E402
 import numpy as np  # noqa: E402
 import Part  # noqa: E402
 import patchmill  # noqa: E402
-from milling_jobs import add_profile, distance_off, make_job, pocket_part, trace  # noqa: E402
+from milling_jobs import (  # noqa: E402
+    CONTACT,
+    HIGH,
+    LOW,
+    add_profile,
+    distance_off,
+    dress,
+    make_job,
+    pocket_part,
+    trace,
+)
+from parts import WithDocuments  # noqa: E402
 from patchmill import DressupDCM, InputError, voxel_slices  # noqa: E402
-from test_dressup_dcm import CONTACT, HIGH, LOW, dress  # noqa: E402
 
 
-class Attributes(unittest.TestCase):
+class Attributes(WithDocuments):
     """Distance and material of voxels, and what a material does to the feed."""
 
     LINES = ["skin 0.5 2.2", "insert 0.25 Insert"]
@@ -34,10 +44,6 @@ class Attributes(unittest.TestCase):
         insert.Shape = Part.makeBox(100, 8, 100, FreeCAD.Vector(-40, 44, -40))
         self.document.recompute()
         self.operation = add_profile(self.job)
-
-    def tearDown(self):
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
     def expected(self, model, points):
         """Number of the material and distance to the product, from the shapes alone."""
