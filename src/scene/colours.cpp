@@ -1,3 +1,4 @@
+// The colour tables; see colours.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/colours.h"
 

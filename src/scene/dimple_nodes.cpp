@@ -1,3 +1,4 @@
+// Discs, order lines and outlines of a texture; see dimple_nodes.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/dimple_nodes.h"
 

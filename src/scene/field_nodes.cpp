@@ -1,3 +1,4 @@
+// Slices and arrows of fields; see field_nodes.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/field_nodes.h"
 

@@ -1,3 +1,4 @@
+// Chunks of a surface at several resolutions; see grid_nodes.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/grid_nodes.h"
 

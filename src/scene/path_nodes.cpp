@@ -1,3 +1,4 @@
+// Lines of a tool path and of its axes; see path_nodes.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/path_nodes.h"
 

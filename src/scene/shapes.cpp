@@ -1,3 +1,4 @@
+// Builders of Coin nodes; see shapes.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/shapes.h"
 

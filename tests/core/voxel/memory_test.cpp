@@ -1,0 +1,79 @@
+// What voxel models take of memory against what was foreseen before it was taken.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/voxel/posture_field.h"
+#include "core/voxel/triangle_bvh.h"
+#include "core/voxel/voxelise.h"
+#include "voxel/peak_memory.h"
+#include "voxel/shapes.h"
+
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+namespace patchmill {
+namespace {
+
+VoxelOptions pitch(double mm) {
+  VoxelOptions options;
+  options.pitch = mm;
+  return options;
+}
+
+TEST(Memory, AHundredMillionVoxelsOfBoxFitInFourGiB) {
+  // 464^3 voxels of box, half of it to be removed, 88 %, or all
+  const GridFrame frame = frame_over({Vec3::Zero(), Vec3::Constant(464)}, 1.0);
+  const double box = 464.0 * 464 * 464;
+  for (const double share : {0.5, 0.88, 1.0})
+    EXPECT_NO_THROW(require_memory(estimate_memory(frame, share * box, 12.0 * 464 * 464),
+                                   4.0 * 1024 * 1024 * 1024, frame));
+}
+
+class PeakOf : public testing::TestWithParam<PostureForm> {};
+
+// Model, posture and feed of 168^3 voxels, 88 % to be removed: what the process took at the worst moment.
+TEST_P(PeakOf, ModelPostureAndFeedIsWhatWasForeseen) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer has its own memory";
+#endif
+  const TriangleMesh stock = box_mesh(Vec3::Zero(), Vec3::Constant(168));
+  const TriangleMesh part = box_mesh(Vec3::Constant(40.2), Vec3::Constant(123.0));
+  const TriangleBvh bvh(part);
+  const VoxelOptions options = pitch(1.0);
+  const PeakMemory peak;
+  if (!peak.known()) GTEST_SKIP() << "this system does not say it";
+  const VoxelGrid grid = voxelise(stock, part, options);
+  PostureOptions posture_options;
+  posture_options.form = GetParam();
+  const PostureField posture = steady_posture(grid, part, bvh, posture_options);
+  const int fields = static_cast<int>(posture.value.size());
+  ASSERT_TRUE(posture.outcome.converged);
+  const FeedField feed = steady_feed(grid, {5.0, 10.0});
+  const double taken = peak.bytes(), exact = memory_of(grid.table, fields).total();
+  const double foreseen = estimate_memory(grid.frame, volume(stock) - volume(part),
+                                          surface_area(stock) + surface_area(part), fields)
+                              .total();
+  std::printf("peak %.1f MB; %.1f for the bricks stored, %.1f foreseen\n", 1e-6 * taken,
+              1e-6 * exact, 1e-6 * foreseen);
+  EXPECT_LT(taken, foreseen);
+  EXPECT_LT(taken, exact + 8e6);  // and the threads' own
+  EXPECT_GT(taken, 0.85 * exact);
+  EXPECT_EQ(feed.along[0].size(), posture.value[0].size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Memory, PeakOf,
+                         testing::Values(PostureForm::Angles, PostureForm::UnitVector));
+
+TEST(Memory, EstimateIsCloseToWhatIsStored) {
+  const TriangleMesh stock = box_mesh(Vec3::Constant(-32), Vec3::Constant(32));
+  const TriangleMesh part = shapes::sphere(Vec3::Zero(), 28, 4);
+  const VoxelGrid grid = voxelise(stock, part, pitch(0.5));
+  const double foreseen = estimate_memory(grid.frame, volume(stock) - volume(part),
+                                          surface_area(stock) + surface_area(part))
+                              .total();
+  const double exact = memory_of(grid.table).total();
+  EXPECT_GT(foreseen, 0.95 * exact);
+  EXPECT_LT(foreseen, 1.4 * exact);
+}
+
+}  // namespace
+}  // namespace patchmill
