@@ -51,9 +51,7 @@ def attach_view(obj):
 
     workbench.start()
     if hasattr(obj, "PostProcessor"):  # a job
-        view = native("job").ViewProvider(obj.ViewObject)
-        view.obj = obj  # FreeCAD asks for it before it attaches the view
-        obj.ViewObject.Proxy = view
+        obj.ViewObject.Proxy = native("job").ViewProvider(obj.ViewObject)
         obj.ViewObject.addExtension("Gui::ViewProviderGroupExtensionPython")
     else:
         attach_to(obj)
