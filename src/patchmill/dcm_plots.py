@@ -111,13 +111,12 @@ def feed_figures(plt, tables, images):
 
     figure, (whole, part) = plt.subplots(2, 1, figsize=(8.4, 6.4), constrained_layout=True)
     plot_pass(whole, stairs, smooth, "feed", "feed [mm/min]")
-    whole.set_title("Feed along all layers at Y = 24 mm")
+    head(whole, "Feed along all layers at Y = 24 mm", legend=True)
     start = 0.62 * smooth["s"][-1]
     plot_pass(part, stairs, smooth, "feed", "feed [mm/min]", start, start + 0.12 * smooth["s"][-1])
-    part.set_title("A part of it")
+    head(part, "A part of it")
     for axes in (whole, part):
         axes.set_ylim(380, 820)
-    whole.legend(loc="center right", fontsize=8)  # the last layers are cut by no voxel: nothing below 800
     save(plt, figure, images, "dcm_feed_pass.png")
 
 
@@ -137,8 +136,7 @@ def posture_figures(plt, tables, images):
         stairs = read_table(os.path.join(tables, "posture_pass_y%d_stairs.csv" % y))
         smooth = read_table(os.path.join(tables, "posture_pass_y%d_smooth.csv" % y))
         plot_pass(axes, stairs, smooth, "b", "B [degrees]", *last_run(smooth))
-        axes.set_title("Y = %d mm, finishing pass" % y)
-    grid[0, 0].legend(loc="upper right", fontsize=8)
+        head(axes, "Y = %d mm, finishing pass" % y, legend=axes is grid[0, 0])
     save(plt, figure, images, "dcm_posture_pass.png")
 
 
@@ -151,7 +149,8 @@ def copy_figure(plt, tables, images):
     figure, (scan, contour, tilt) = plt.subplots(1, 3, figsize=(13.5, 4.4), constrained_layout=True)
     for run in runs_of(read_table(os.path.join(tables, "feed_pass_smooth.csv"))):
         scan.plot(run["x"], run["z"] - 3.0, color=SMOOTH_COLOUR, linewidth=0.9)
-    scan.set(title="Scanning lines, Y = 24 mm", xlabel="x [mm]",
+    head(scan, "Scanning lines, Y = 24 mm")
+    scan.set(xlabel="x [mm]",
              ylabel="lowest point of the ball, z [mm]")
 
     table = read_table(os.path.join(tables, "contour_path.csv"))
@@ -163,8 +162,8 @@ def copy_figure(plt, tables, images):
         contour.plot(run["x"], run["y"], color=colours[level], linewidth=0.8,
                      label=None if level in shown else "z = %g mm" % (levels[level] - 3.0))
         shown.add(level)
-    contour.set(title="Contour lines, three levels", xlabel="x [mm]", ylabel="y [mm]")
-    contour.legend(loc="center", fontsize=7)
+    contour.set(xlabel="x [mm]", ylabel="y [mm]")
+    head(contour, "Contour lines", legend=True)
 
     table = read_table(os.path.join(tables, "posture_pass_y40_smooth.csv"))
     start, end = last_run(table)
@@ -176,11 +175,20 @@ def copy_figure(plt, tables, images):
         x, z = table["x"][i], table["z"][i]
         tilt.plot([x, x + 12 * np.sin(angle[i])], [z, z + 12 * np.cos(angle[i])],
                   color=STAIRS_COLOUR, linewidth=0.7)
-    tilt.set(title="Below an overhang, Y = 40 mm", xlabel="x [mm]",
+    head(tilt, "Below an overhang, Y = 40 mm")
+    tilt.set(xlabel="x [mm]",
              ylabel="ball centre and axis, z [mm]")
     for axes in (scan, contour, tilt):
         axes.set_aspect("equal")
     save(plt, figure, images, "copy_paths.png")
+
+
+def head(axes, title, legend=False):
+    """Title at the left above the axes, the legend at the right beside it: neither covers a curve."""
+    axes.set_title(title, loc="left", fontsize=10)
+    if legend:
+        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=3, fontsize=7, frameon=False,
+                    borderaxespad=0.1, columnspacing=1.0)
 
 
 def save(plt, figure, folder, name):

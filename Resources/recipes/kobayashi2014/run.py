@@ -138,9 +138,8 @@ def feed_experiment(folder, mode, figures):
         end = smooth["s"][-1]
         dcm_plots.plot_pass(whole, stairs, smooth, "feed", "feed [mm/min]")
         dcm_plots.plot_pass(part, stairs, smooth, "feed", "feed [mm/min]", 0.62 * end, 0.74 * end)
-        whole.set_title("Feed along all layers at Y = 24 mm")
-        part.set_title("A part of it")
-        whole.legend(loc="center right", fontsize=8)
+        dcm_plots.head(whole, "Feed along all layers at Y = 24 mm", legend=True)
+        dcm_plots.head(part, "A part of it")
         for axes in (whole, part):
             axes.set_ylim(380, 820)
         dcm_plots.save(plt, figure, folder, "fig09_feed_pass.png")
@@ -167,8 +166,7 @@ def posture_experiment(folder):
     for axes, y in zip(grid.flat, SECTIONS):
         stairs, smooth = (pass_table(found[k].path, y) for k in ("Staircase", "Smooth"))
         dcm_plots.plot_pass(axes, stairs, smooth, "b", "B [degrees]", *dcm_plots.last_run(smooth))
-        axes.set_title("Y = %d mm, finishing pass" % y)
-    grid[0, 0].legend(loc="upper right", fontsize=8)
+        dcm_plots.head(axes, "Y = %d mm, finishing pass" % y, legend=axes is grid[0, 0])
     dcm_plots.save(plt, figure, folder, "fig13_posture_pass.png")
     FreeCAD.closeDocument(document.Name)
     return steps_of(found)
