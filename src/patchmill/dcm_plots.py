@@ -136,7 +136,7 @@ def posture_figures(plt, tables, images):
         stairs = read_table(os.path.join(tables, "posture_pass_y%d_stairs.csv" % y))
         smooth = read_table(os.path.join(tables, "posture_pass_y%d_smooth.csv" % y))
         plot_pass(axes, stairs, smooth, "b", "B [degrees]", *last_run(smooth))
-        head(axes, "Y = %d mm, finishing pass" % y, legend=axes is grid[0, 0])
+        head(axes, "Finishing, Y = %d mm" % y, legend=axes is grid[0, 0])
     save(plt, figure, images, "dcm_posture_pass.png")
 
 

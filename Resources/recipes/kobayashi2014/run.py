@@ -166,7 +166,7 @@ def posture_experiment(folder):
     for axes, y in zip(grid.flat, SECTIONS):
         stairs, smooth = (pass_table(found[k].path, y) for k in ("Staircase", "Smooth"))
         dcm_plots.plot_pass(axes, stairs, smooth, "b", "B [degrees]", *dcm_plots.last_run(smooth))
-        dcm_plots.head(axes, "Y = %d mm, finishing pass" % y, legend=axes is grid[0, 0])
+        dcm_plots.head(axes, "Finishing, Y = %d mm" % y, legend=axes is grid[0, 0])
     dcm_plots.save(plt, figure, folder, "fig13_posture_pass.png")
     FreeCAD.closeDocument(document.Name)
     return steps_of(found)
