@@ -33,7 +33,7 @@ class TexturePage(OperationPage):
 
     def getForm(self):
         form, layout = self.begin_form(
-            self.obj.Proxy.properties(), closed=("Limits", "Mask", "Phase", "Tool axis", "Check")
+            self.obj.Proxy.properties(), closed=("Limits", "Mask", "Phase", "Tool axis", "Checks")
         )
         picture = QtGui.QLabel()
         picture.setPixmap(QtGui.QIcon(path("icons", "quantities.svg")).pixmap(PICTURE_WIDTH, PICTURE_WIDTH))

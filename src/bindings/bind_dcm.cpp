@@ -5,10 +5,10 @@
 #include "bindings/voxel_materials.h"
 #include "brep/read_shape.h"
 #include "brep/tessellate.h"
+#include "core/dcm/field_view.h"
+#include "core/dcm/voxel_file.h"
 #include "core/geometry/error.h"
-#include "core/voxel/field_view.h"
 #include "core/voxel/transient.h"
-#include "core/voxel/voxel_file.h"
 #include "core/voxel/voxelise.h"
 
 namespace patchmill {

@@ -4,10 +4,10 @@
 #include "bindings/solid.h"
 #include "core/copy/copy_milling.h"
 #include "core/copy/live_session.h"
+#include "core/dcm/air_cuts.h"
+#include "core/dcm/apply_dcm.h"
+#include "core/dcm/clear_axis.h"
 #include "core/geometry/error.h"
-#include "core/voxel/air_cuts.h"
-#include "core/voxel/apply_dcm.h"
-#include "core/voxel/clear_axis.h"
 
 namespace patchmill {
 namespace {

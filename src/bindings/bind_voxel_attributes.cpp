@@ -3,7 +3,7 @@
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
 #include "bindings/voxel_materials.h"
-#include "core/voxel/field_reader.h"
+#include "core/dcm/field_reader.h"
 
 namespace patchmill {
 namespace {

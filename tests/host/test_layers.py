@@ -51,6 +51,21 @@ def cpp_violations(root):
     return found
 
 
+def subject_cycles(root):
+    """Folders of src/core that lead back to themselves by their includes: a list of texts."""
+    uses = {}
+    for file in sorted((root / "src" / "core").glob("*/*")):
+        used = re.findall(r'#\s*include\s*"core/(\w+)/', file.read_text())
+        uses.setdefault(file.parent.name, set()).update(set(used) - {file.parent.name})
+    ordered = set()  # those that need only what is in here already
+    while True:
+        more = {subject for subject, used in uses.items() if used <= ordered} - ordered
+        if not more:
+            left = sorted(set(uses) - ordered)
+            return ["%s uses %s" % (s, ", ".join(sorted(uses[s] - ordered))) for s in left]
+        ordered |= more
+
+
 def python_violations(root):
     """Lines of src/patchmill that import a GUI, and that know FreeCAD's versions outside host.py."""
     found = []
@@ -65,6 +80,9 @@ def python_violations(root):
 class Layers(unittest.TestCase):
     def test_includes_point_downwards(self):
         self.assertEqual(cpp_violations(ROOT), [])
+
+    def test_the_cores_subjects_form_no_cycle(self):
+        self.assertEqual(subject_cycles(ROOT), [])
 
     def test_package_has_no_gui_and_one_file_of_versions(self):
         self.assertEqual(python_violations(ROOT), [])
@@ -84,6 +102,10 @@ class Layers(unittest.TestCase):
                 "import FreeCADGui\nfrom PySide import QtCore\nimport patchmill_gui\n"
                 "import PathScripts.PathUtils\nimport numpy\nimport _patchmill\n"
             )
+            for subject, used in (("a", "b"), ("b", "c"), ("c", "b"), ("d", "d")):
+                (root / "src" / "core" / subject).mkdir()
+                (root / "src" / "core" / subject / "x.h").write_text('#include "core/%s/y.h"\n' % used)
+            self.assertEqual(len(subject_cycles(root)), 3)  # of the cycle, and of a that needs it
             self.assertEqual(len(cpp_violations(root)), 6)
             self.assertEqual(len(python_violations(root)), 4)
 

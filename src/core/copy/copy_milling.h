@@ -16,8 +16,8 @@
 #pragma once
 
 #include "core/geometry/progress.h"
+#include "core/mesh/triangle_bvh.h"
 #include "core/path/tool_path.h"
-#include "core/voxel/triangle_bvh.h"
 
 namespace patchmill {
 

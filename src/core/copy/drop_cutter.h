@@ -2,14 +2,14 @@
 // Shirase 2014, section 2 (Fig. 2): a probe copies the surface of the CAD model and leads the tool.
 //
 // The height is the largest over all triangles of the height at which the ball touches the triangle's face, an
-// edge, or a corner. A tree of upper bounds (core/voxel/drop_tree.h) is searched from the highest bound down,
+// edge, or a corner. A tree of upper bounds (core/mesh/drop_tree.h) is searched from the highest bound down,
 // and what cannot lift the ball above the best contact so far is left out: branch and bound (Land & Doig 1960).
 // A search that begins with the triangle which held the ball at a place nearby has a good contact at once, and
 // opens little more than one node a level.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/voxel/triangle_bvh.h"
+#include "core/mesh/triangle_bvh.h"
 
 #include <limits>
 #include <vector>

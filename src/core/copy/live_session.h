@@ -10,7 +10,7 @@
 #pragma once
 
 #include "core/copy/copy_milling.h"
-#include "core/voxel/apply_dcm.h"
+#include "core/dcm/apply_dcm.h"
 
 #include <deque>
 #include <map>

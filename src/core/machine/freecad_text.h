@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/path/rounding.h"
 #include "core/path/tool_path.h"
-#include "core/sync/rounding.h"
 
 #include <string>
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/machine/joint_plan.h"
-#include "core/sync/rounding.h"
+#include "core/path/rounding.h"
 
 namespace patchmill {
 

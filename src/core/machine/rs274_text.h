@@ -8,7 +8,7 @@
 
 #include "core/machine/corner_blend.h"
 #include "core/machine/kinematics.h"
-#include "core/sync/rounding.h"
+#include "core/path/rounding.h"
 
 #include <string>
 

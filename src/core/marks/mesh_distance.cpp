@@ -3,7 +3,7 @@
 #include "core/marks/mesh_distance.h"
 
 #include "core/marks/section_distance.h"
-#include "core/voxel/triangle_bvh.h"
+#include "core/mesh/triangle_bvh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/marks/clearance.h"
-#include "core/voxel/triangle_mesh.h"
+#include "core/mesh/triangle_mesh.h"
 
 namespace patchmill {
 

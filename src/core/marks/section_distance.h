@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/marks/clearance.h"
-#include "core/voxel/triangle_bvh.h"
+#include "core/mesh/triangle_bvh.h"
 
 namespace patchmill {
 

@@ -6,9 +6,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/path/rounding.h"
 #include "core/path/tool_path.h"
 #include "core/sync/phase_rule.h"
-#include "core/sync/rounding.h"
 
 namespace patchmill {
 

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/sync/rounding.h"
+#include "core/path/rounding.h"
 
 namespace patchmill {
 

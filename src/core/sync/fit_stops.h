@@ -8,8 +8,8 @@
 #pragma once
 
 #include "core/machine/motion_model.h"
+#include "core/path/rounding.h"
 #include "core/path/tool_path.h"
-#include "core/sync/rounding.h"
 
 namespace patchmill {
 

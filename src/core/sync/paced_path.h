@@ -10,8 +10,8 @@
 #pragma once
 
 #include "core/machine/motion_model.h"
+#include "core/path/rounding.h"
 #include "core/sync/phase_rule.h"
-#include "core/sync/rounding.h"
 
 namespace patchmill {
 

@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/path/rounding.h"
 #include "core/sync/phase_rule.h"
-#include "core/sync/rounding.h"
 
 #include <vector>
 

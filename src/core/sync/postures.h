@@ -11,7 +11,7 @@
 #include "core/machine/motion_model.h"
 #include "core/machine/programmed_path.h"
 #include "core/patch/dimple.h"
-#include "core/sync/rounding.h"
+#include "core/path/rounding.h"
 
 namespace patchmill {
 

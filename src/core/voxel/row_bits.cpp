@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/voxel/row_bits.h"
 
-#include "core/voxel/parity.h"
+#include "core/mesh/parity.h"
 
 #include <algorithm>
 #include <array>

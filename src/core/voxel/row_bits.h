@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/voxel/triangle_bvh.h"
+#include "core/mesh/triangle_bvh.h"
 #include "core/voxel/voxel_grid.h"
 
 #include <cstdint>

@@ -10,7 +10,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/voxel/triangle_mesh.h"
+#include "core/mesh/triangle_mesh.h"
 #include "core/voxel/voxel_grid.h"
 
 #include <functional>

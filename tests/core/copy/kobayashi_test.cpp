@@ -4,7 +4,7 @@
 // (src/patchmill/dcm_plots.py) are written to that folder.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/copy/copy_milling.h"
-#include "core/voxel/apply_dcm.h"
+#include "core/dcm/apply_dcm.h"
 #include "core/voxel/voxelise.h"
 #include "voxel/shapes.h"
 

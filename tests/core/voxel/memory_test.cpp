@@ -1,7 +1,7 @@
 // What voxel models take of memory against what was foreseen before it was taken.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/posture_field.h"
-#include "core/voxel/triangle_bvh.h"
+#include "core/dcm/posture_field.h"
+#include "core/mesh/triangle_bvh.h"
 #include "core/voxel/voxelise.h"
 #include "voxel/peak_memory.h"
 #include "voxel/shapes.h"

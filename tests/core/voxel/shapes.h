@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/mesh/triangle_mesh.h"
 #include "core/voxel/laplace_level.h"
-#include "core/voxel/triangle_mesh.h"
 
 #include <cmath>
 #include <functional>

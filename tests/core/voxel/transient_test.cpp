@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/voxel/transient.h"
 
+#include "core/dcm/feed_field.h"
 #include "core/geometry/error.h"
-#include "core/voxel/feed_field.h"
 #include "core/voxel/laplace_solver.h"
 #include "core/voxel/voxelise.h"
 #include "voxel/shapes.h"

@@ -4,7 +4,7 @@
 #include "core/voxel/voxelise.h"
 
 #include "core/geometry/error.h"
-#include "core/voxel/triangle_bvh.h"
+#include "core/mesh/triangle_bvh.h"
 #include "voxel/shapes.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Feed fields: the linear profile, a tridiagonal reference, free ends, weights of the direction.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/feed_field.h"
+#include "core/dcm/feed_field.h"
 
 #include "core/geometry/error.h"
 #include "core/voxel/voxelise.h"

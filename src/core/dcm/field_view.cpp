@@ -1,6 +1,6 @@
 // Sections and arrows; see field_view.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/field_view.h"
+#include "core/dcm/field_view.h"
 
 #include "core/geometry/error.h"
 

@@ -1,6 +1,6 @@
 // Posture: reading of the angles, boundary values, the steady field.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/posture_field.h"
+#include "core/dcm/posture_field.h"
 
 #include "core/voxel/voxelise.h"
 #include "voxel/shapes.h"

@@ -1,6 +1,6 @@
 // Steady one-dimensional diffusion along the lines of voxels; see feed_field.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/feed_field.h"
+#include "core/dcm/feed_field.h"
 
 #include "core/geometry/error.h"
 

@@ -16,9 +16,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/voxel/feed_field.h"
+#include "core/dcm/feed_field.h"
+#include "core/mesh/triangle_bvh.h"
 #include "core/voxel/laplace_solver.h"
-#include "core/voxel/triangle_bvh.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // Emptying voxels along a path; see air_cuts.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/air_cuts.h"
+#include "core/dcm/air_cuts.h"
 
 #include "core/geometry/error.h"
 

@@ -1,6 +1,6 @@
 // Emptied voxels, and the moves that are hurried over.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/air_cuts.h"
+#include "core/dcm/air_cuts.h"
 
 #include "core/geometry/error.h"
 #include "core/voxel/voxelise.h"

@@ -9,9 +9,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/dcm/frustum.h"
+#include "core/mesh/triangle_bvh.h"
 #include "core/path/tool_path.h"
-#include "core/voxel/frustum.h"
-#include "core/voxel/triangle_bvh.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // Interpolation; see field_reader.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/field_reader.h"
+#include "core/dcm/field_reader.h"
 
 #include <cmath>
 

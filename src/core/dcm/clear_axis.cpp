@@ -1,6 +1,6 @@
 // The axis that keeps a holder clear; see clear_axis.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/clear_axis.h"
+#include "core/dcm/clear_axis.h"
 
 #include "core/geometry/error.h"
 

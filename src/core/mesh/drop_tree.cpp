@@ -1,8 +1,8 @@
 // Bounds for a dropped ball; see drop_tree.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/drop_tree.h"
+#include "core/mesh/drop_tree.h"
 
-#include "core/voxel/brick_halo.h"
+#include "core/geometry/vector_clones.h"
 
 #include <algorithm>
 #include <cmath>

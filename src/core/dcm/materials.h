@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/voxel/feed_field.h"
-#include "core/voxel/triangle_bvh.h"
+#include "core/dcm/feed_field.h"
+#include "core/mesh/triangle_bvh.h"
 
 #include <cstdint>
 #include <limits>

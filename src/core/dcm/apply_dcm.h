@@ -10,8 +10,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/dcm/field_reader.h"
 #include "core/path/tool_path.h"
-#include "core/voxel/field_reader.h"
 
 #include <functional>
 #include <limits>

@@ -1,9 +1,9 @@
 // The axis that keeps a holder clear, against a dense sampling of the holder's surface.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/clear_axis.h"
+#include "core/dcm/clear_axis.h"
 
+#include "core/dcm/apply_dcm.h"
 #include "core/geometry/error.h"
-#include "core/voxel/apply_dcm.h"
 #include "core/voxel/voxelise.h"
 #include "voxel/shapes.h"
 

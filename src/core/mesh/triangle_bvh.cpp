@@ -1,9 +1,9 @@
 // Bounding-box tree over triangles.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/triangle_bvh.h"
+#include "core/mesh/triangle_bvh.h"
 
 #include "core/geometry/error.h"
-#include "core/voxel/parity.h"
+#include "core/mesh/parity.h"
 
 #include <algorithm>
 #include <cmath>

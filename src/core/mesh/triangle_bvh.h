@@ -4,8 +4,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/voxel/drop_tree.h"
-#include "core/voxel/triangle_mesh.h"
+#include "core/mesh/drop_tree.h"
+#include "core/mesh/triangle_mesh.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 // Materials of voxels against closed forms: bodies by their inside, layers by their depth, and the feed
 // that follows from them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/materials.h"
+#include "core/dcm/materials.h"
 
 #include "core/geometry/error.h"
 #include "core/voxel/voxelise.h"

@@ -1,6 +1,6 @@
 // Materials of voxels; see materials.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/materials.h"
+#include "core/dcm/materials.h"
 
 #include "core/geometry/error.h"
 #include "core/voxel/row_bits.h"

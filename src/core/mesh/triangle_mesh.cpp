@@ -1,6 +1,6 @@
 // Closed triangle meshes: checks and measures.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/triangle_mesh.h"
+#include "core/mesh/triangle_mesh.h"
 
 #include "core/geometry/error.h"
 

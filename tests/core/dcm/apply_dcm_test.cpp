@@ -1,6 +1,6 @@
 // Reading fields and applying them to a path.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/apply_dcm.h"
+#include "core/dcm/apply_dcm.h"
 
 #include "core/geometry/error.h"
 #include "core/voxel/voxelise.h"

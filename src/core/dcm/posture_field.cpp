@@ -1,6 +1,6 @@
 // Steady posture; see posture_field.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/posture_field.h"
+#include "core/dcm/posture_field.h"
 
 #include "core/geometry/error.h"
 

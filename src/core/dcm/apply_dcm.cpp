@@ -1,6 +1,6 @@
 // Feed and posture along a path; see apply_dcm.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/apply_dcm.h"
+#include "core/dcm/apply_dcm.h"
 
 #include "core/geometry/error.h"
 

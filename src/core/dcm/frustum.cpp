@@ -1,6 +1,6 @@
 // Distance from a frustum; see frustum.h. In the half plane of height and radius the frustum is a trapezoid.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/frustum.h"
+#include "core/dcm/frustum.h"
 
 #include <algorithm>
 #include <cmath>

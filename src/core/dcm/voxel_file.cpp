@@ -1,7 +1,7 @@
 // Writing and reading the voxel model; see voxel_file.h. Layout: magic, key, frame, bricks of the box that
 // are stored or solid, kinds, posture, materials, magic. Numbers as the machine has them: the file is a cache.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/voxel_file.h"
+#include "core/dcm/voxel_file.h"
 
 #include "core/geometry/error.h"
 

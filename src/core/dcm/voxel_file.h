@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/voxel/posture_field.h"
+#include "core/dcm/posture_field.h"
 
 #include <optional>
 #include <string>
