@@ -39,20 +39,15 @@ class CopyPanel(Computing, OperationPanel):
         given = copy_milling.input_of(self.obj)
 
         def work(progress):
-            path = copy_milling.mill(given)
-            return path, core.path_display(path)
+            made = copy_milling.mill(given, progress)
+            return made and (made, core.path_display(made.path), _summary(made))
 
         return work
 
     def show_result(self, result):
-        path, display = result
+        _, display, summary = result
         self.obj.ViewObject.Proxy.scene.show(display)
-        statistics = path.statistics()
-        self.box.text.setText(
-            translate("{} moves, {} of milling").format(
-                grouped(len(path)), duration(statistics["timed_seconds"])
-            )
-        )
+        self.box.text.setText(summary)
 
     def accept(self, resetEdit=True):
         self.compute(True)
@@ -66,6 +61,17 @@ class CopyPanel(Computing, OperationPanel):
 
     def reject(self, resetEdit=True):
         return False if self.stop_waiting() else super().reject(resetEdit)
+
+
+def _summary(made):
+    """What there is to say of a CopiedPath."""
+    seconds = made.path.statistics()["timed_seconds"]
+    text = translate("{} moves, {} of milling").format(grouped(len(made.path)), duration(seconds))
+    if made.out_of_reach:
+        text += "<br>" + translate("{} lines in cavities are left out: no way from above").format(
+            grouped(made.out_of_reach)
+        )
+    return text
 
 
 class CopyView(OperationView):

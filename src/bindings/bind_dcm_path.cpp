@@ -175,10 +175,14 @@ void bind_copy(py::module_& m) {
       [](const Solid& part, const CopyOptions& options, const py::object& progress) {
         const Progress report = progress_of(progress);
         const py::gil_scoped_release release;
-        return copy_mill(part.bvh, options, report);
+        CopiedPath made = copy_mill(part.bvh, options, report);
+        return std::make_pair(std::move(made.path), made.out_of_reach);
       },
       py::arg("part"), py::arg("options"), py::arg("progress") = py::none(),
-      "ToolPath of an upright ball end mill over the part, layer by layer from the stock.");
+      "(ToolPath of a ball end mill over the part, layer by layer from the stock; how many lines "
+      "cannot be "
+      "reached from above and were left out). If progress(share) returns False: what was done so "
+      "far.");
   m.def("joined", &joined, py::arg("paths"),
         "Paths one after the other, a rapid between; tool and spindle are the first one's.");
   m.def("scallop_height", &scallop_height, py::arg("radius"), py::arg("cross_feed"),

@@ -35,12 +35,13 @@ RESULTS = [
     ("App::PropertyInteger", "Moves", "Result", "Of the path"),
     ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves but rapids, in seconds"),
     ("App::PropertyFloat", "Scallop", "Result", "Ridge between lines on a flat, in mm"),
+    ("App::PropertyInteger", "OutOfReach", "Result", "Lines left out: in a cavity, not reached from above"),
 ]
 
 
 class ObjectCopyMilling(BallEndOperation):
     """An operation's proxy. `path` is the _patchmill.ToolPath of the last good execute, else None. `ready`: a
-    ToolPath that was made beforehand of what the operation has now; the next execute takes it. Neither is
+    CopiedPath that was made beforehand of what the operation has now; the next execute takes it. Neither is
     saved."""
 
     RESULT = "path"
@@ -58,15 +59,17 @@ class ObjectCopyMilling(BallEndOperation):
         ready, self.ready = self.ready, None
         try:
             given = input_of(obj)
-            self.path = ready if ready is not None else mill(given)
+            made = ready if ready is not None else mill(given)
         except InputError as error:
             self.error = error
             raise
+        self.path = made.path
         text = str(core.freecad_text(self.path, given.feed, 4))
         self.commandlist.extend(host.begin_upright(host.Path.Path(text).Commands))
         statistics = self.path.statistics()
         obj.Moves = len(self.path)
         obj.MachiningTime = statistics["timed_seconds"]
+        obj.OutOfReach = made.out_of_reach
         obj.Scallop = core.scallop_height(self.path.tool.radius, given.last_radial)
 
 
@@ -129,22 +132,49 @@ def _compound(faces):
     return Part.makeCompound(faces).exportBrepToString()
 
 
-def mill(given):
-    """ToolPath of a CopyInput. Raises InputError naming the property."""
+@dataclass
+class CopiedPath:
+    """A _patchmill.ToolPath, and how many lines had to be left out of it: in a cavity, where the tool cannot
+    come from above."""
+
+    path: core.ToolPath
+    out_of_reach: int
+
+
+def mill(given, progress=None):
+    """CopiedPath of a CopyInput; None if `progress` (share -> bool) returned False. Raises InputError naming
+    the property."""
     stock, part = solids(given)
     low, high = _to_cut(stock, part)
-
-    def path(radial, axial, allowance):
-        return core.copy_mill(part, _options(given, low, high, radial, axial, allowance))
-
-    made = []
+    jobs = []  # (radial depth, axial depth, allowance) of each pass
     if given.passes != "Finishing":
-        made.append(path(given.radial, given.axial, _left_by_layers(given)))
+        jobs.append((given.radial, given.axial, given.allowance))
     if given.passes == "Finishing" or (given.passes != "Roughing" and _needs_finishing(given)):
         # one layer from the top to the bottom of the stock; contours keep their levels
         axial = given.axial if given.mode == "Contour" else 2.0 * (high[2] - low[2]) + 1.0
-        made.append(path(given.last_radial, axial, 0.0))
-    return core.joined(made)
+        jobs.append((given.last_radial, axial, 0.0))
+    made, lost = [], 0
+    for number, depths in enumerate(jobs):
+        asked = _Asked(progress, number, len(jobs))
+        path, missing = core.copy_mill(part, _options(given, low, high, *depths), asked)
+        if asked.stopped:
+            return None
+        made.append(path)
+        lost += missing
+    return CopiedPath(core.joined(made), lost)
+
+
+class _Asked:
+    """Progress of one pass of several, that remembers whether it was told to stop."""
+
+    def __init__(self, progress, number, count):
+        self.progress, self.number, self.count = progress, number, count
+        self.stopped = False
+
+    def __call__(self, share):
+        if self.progress and not self.stopped:
+            self.stopped = not self.progress((self.number + share) / self.count)
+        return not self.stopped
 
 
 def live_options(given):
@@ -164,11 +194,6 @@ def _options(given, low, high, radial, axial, allowance):
     depths = (radial, axial, given.tolerance, allowance)
     room = (low, high, max(0.1, given.safe_height - high[2]), OVERLAP * given.tool.radius)
     return core.CopyOptions(given.mode, given.tool, given.spindle, given.feed, *depths, *room)
-
-
-def _left_by_layers(given):
-    """What the layers leave for a last pass, here or in another operation."""
-    return given.allowance
 
 
 def _needs_finishing(given):

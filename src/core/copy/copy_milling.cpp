@@ -74,7 +74,7 @@ void cut_runs(const Runs& runs, double y, bool backwards, PathBuilder& builder) 
   }
 }
 
-ToolPath scan(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
+CopiedPath scan(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
   PathBuilder builder(o);
   const std::vector<double> level = levels(o), y = planes(o);
   const double x0 = o.stock.lo.x() - o.tool.radius, x1 = o.stock.hi.x() + o.tool.radius;
@@ -134,7 +134,7 @@ Runs refined(Runs runs, double step) {
   return runs;
 }
 
-ToolPath scan_undercut(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
+CopiedPath scan_undercut(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
   const double radius = o.tool.radius + o.allowance;
   PathBuilder builder(o, [&](const Vec3& c) {
     return drop_ball(part, c.x(), c.y(), radius) <= c.z() + 0.5 * o.tolerance;
@@ -162,7 +162,7 @@ void cut_curve(const Polyline& curve, double z, PathBuilder& builder) {
   builder.cut(centres);
 }
 
-ToolPath contour(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
+CopiedPath contour(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
   PathBuilder builder(o);
   const std::vector<double> level = levels(o), y = planes(o);
   for (std::size_t k = 0; k < level.size(); ++k) {
@@ -185,7 +185,8 @@ ToolPath contour(const TriangleBvh& part, const CopyOptions& o, const Progress& 
 
 }  // namespace
 
-ToolPath copy_mill(const TriangleBvh& part, const CopyOptions& options, const Progress& progress) {
+CopiedPath copy_mill(const TriangleBvh& part, const CopyOptions& options,
+                     const Progress& progress) {
   require_valid(options);
   if (options.mode == CopyMode::Contour) return contour(part, options, progress);
   if (options.mode == CopyMode::ScanningUndercut) return scan_undercut(part, options, progress);

@@ -46,10 +46,16 @@ struct CopyOptions {
 /// Throws InputError for an option out of range or a stock of no volume.
 void require_valid(const CopyOptions& options);
 
+/// A path over the part, and what of it had to be left out.
+struct CopiedPath {
+  ToolPath path;
+  int out_of_reach = 0;  ///< lines of which no point can be reached from above: in a cavity
+};
+
 /// The path over the part. Errors: InputError for an option out of range or a stock of no volume.
 /// If `progress` asks for a stop, the path is what was done so far.
-ToolPath copy_mill(const TriangleBvh& part, const CopyOptions& options,
-                   const Progress& progress = {});
+CopiedPath copy_mill(const TriangleBvh& part, const CopyOptions& options,
+                     const Progress& progress = {});
 
 /// Height of the ridge that a ball of radius R leaves on a flat between passes `cross_feed` apart
 /// [mm].

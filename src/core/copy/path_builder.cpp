@@ -61,9 +61,9 @@ void PathBuilder::cut_from_above(const std::vector<Vec3>& centres) {
   for (std::size_t i = 1; i < centres.size(); ++i) feed(centres[i] - down, MoveKind::Cut);
 }
 
-ToolPath PathBuilder::finish() {
+CopiedPath PathBuilder::finish() {
   rapid({tip_.x(), tip_.y(), safe_});
-  return std::move(path_);
+  return {std::move(path_), unreached_};
 }
 
 }  // namespace patchmill

@@ -22,8 +22,7 @@ class PathBuilder {
   /// Cuts along ball centres [mm]; a polyline that begins where the last one ended is just gone on
   /// with. One of which no point can be reached from above is left out, and counted.
   void cut(const std::vector<Vec3>& centres);
-  int unreached() const { return unreached_; }
-  ToolPath finish();
+  CopiedPath finish();
 
  private:
   void cut_from_above(const std::vector<Vec3>& centres);

@@ -68,7 +68,7 @@ TEST_P(CopyParts, NoGougeDeeperThanTheToleranceOnTheConvexPart) {
   CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(50, 50, 30)));
   if (GetParam() != CopyMode::Contour) options.radial_depth = 5.0;
   options.axial_depth = 4.0;
-  const ToolPath path = copy_mill(part, options);
+  const ToolPath path = copy_mill(part, options).path;
   EXPECT_GT(statistics(path).cut_length, 500.0);
   EXPECT_LE(deepest_gouge(part, path), options.tolerance);
 }
@@ -78,7 +78,7 @@ TEST_P(CopyParts, NoGougeDeeperThanTheToleranceOnTheOverhangingPart) {
   CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(70, 50, 32)));
   options.radial_depth = GetParam() == CopyMode::Contour ? 4.0 : 12.5;
   options.axial_depth = 6.0;
-  const ToolPath path = copy_mill(part, options);
+  const ToolPath path = copy_mill(part, options).path;
   EXPECT_GT(statistics(path).cut_length, 200.0);
   EXPECT_LE(deepest_gouge(part, path), options.tolerance);
 }
@@ -88,7 +88,7 @@ TEST_P(CopyParts, NoGougeOnABlockWithUprightWalls) {
   CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(50, 45, 16)));
   options.radial_depth = 3.0;
   options.axial_depth = 4.0;
-  const ToolPath path = copy_mill(part, options);
+  const ToolPath path = copy_mill(part, options).path;
   EXPECT_LE(deepest_gouge(part, path), options.tolerance);
 }
 
@@ -99,7 +99,7 @@ TEST_P(CopyParts, TheSamePathOnAnyNumberOfThreads) {
   std::vector<double> numbers[2];
   for (const int threads : {1, 2}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    for (const Move& move : copy_mill(part, options).moves)
+    for (const Move& move : copy_mill(part, options).path.moves)
       for (const double n : {move.end.tip.x(), move.end.tip.y(), move.end.tip.z(),
                              move.kind == MoveKind::Rapid ? -1.0 : move.turns})
         numbers[threads - 1].push_back(n);
@@ -114,13 +114,13 @@ TEST_P(CopyParts, StopsWhenAskedAndSaysHowFarItIs) {
   options.radial_depth = options.axial_depth = 8.0;
   std::vector<double> shares;
   const ToolPath whole = copy_mill(part, options, [&](double share) {
-    shares.push_back(share);
-    return true;
-  });
+                           shares.push_back(share);
+                           return true;
+                         }).path;
   EXPECT_GE(shares.size(), 3u);
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_LT(shares.back(), 1.0);
-  const ToolPath none = copy_mill(part, options, [](double) { return false; });
+  const ToolPath none = copy_mill(part, options, [](double) { return false; }).path;
   EXPECT_EQ(statistics(none).cut_length, 0.0);
   EXPECT_GT(statistics(whole).cut_length, 0.0);
 }
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, CopyParts,
 TEST(CopyMilling, ScallopsOnAFlatAreAsPredicted) {
   const TriangleBvh part(box_mesh(Vec3::Zero(), Vec3(20, 20, 5)));
   CopyOptions options = paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(20, 20, 7)));
-  const ToolPath path = copy_mill(part, options);
+  const ToolPath path = copy_mill(part, options).path;
   double highest = 0.0;
   for (double y = 4.0; y < 16.0; y += 0.05) {
     double left = 1e9;  // on the part at (10, y): height that no ball has reached
@@ -150,7 +150,7 @@ TEST(CopyMilling, EveryLayerTakesAtMostTheAxialDepth) {
   const TriangleBvh part(shapes::convex_part(20));
   const CopyOptions options =
       paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(50, 50, 30)));
-  const ToolPath path = copy_mill(part, options);
+  const ToolPath path = copy_mill(part, options).path;
   double lowest = options.stock.hi.z();
   Vec3 from = path.start.tip;
   for (const Move& move : path.moves) {  // levels go down in steps of 2 mm, never back up to cut
@@ -168,7 +168,7 @@ TEST(CopyMilling, TimesEveryMoveByItsFeed) {
   const TriangleBvh part(shapes::convex_part(20));
   CopyOptions options = paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(50, 50, 30)));
   options.radial_depth = 10;
-  const ToolPath path = copy_mill(part, options);
+  const ToolPath path = copy_mill(part, options).path;
   const PathStatistics sum = statistics(path);
   EXPECT_NEAR(sum.timed_seconds, (sum.cut_length + sum.link_length) / options.feed, 1e-6);
   for (const Move& move : path.moves)
@@ -183,12 +183,31 @@ TEST(CopyMilling, BelowAnOverhangOnlyTheUndercutModeCuts) {
   const auto covered = [&](CopyMode mode) {
     options.mode = mode;
     int under = 0;  // ball centres with part above them
-    along(copy_mill(part, options), true,
+    along(copy_mill(part, options).path, true,
           [&](const Vec3& c) { under += drop_ball(part, c.x(), c.y(), 0.01) > c.z() + 0.1; });
     return under;
   };
   EXPECT_EQ(covered(CopyMode::Scanning), 0);
   EXPECT_GT(covered(CopyMode::ScanningUndercut), 100);
+}
+
+// A block with a ball-shaped cavity: its wall is part of the offset surface, and no tool comes to it.
+TEST(CopyMilling, LinesInACavityAreLeftOutAndCounted) {
+  TriangleMesh mesh = shapes::block_with_top(
+      40, 40, 4, [](double u, double v) { return Vec3(40 * u, 40 * v, 30); });
+  CopyOptions options =
+      paper_options(CopyMode::ScanningUndercut, box(Vec3::Zero(), Vec3(40, 40, 34)));
+  options.radial_depth = 10.0;
+  EXPECT_EQ(copy_mill(TriangleBvh(mesh), options).out_of_reach, 0);
+  const TriangleMesh hole = shapes::sphere(Vec3(20, 20, 15), 10.0, 4);
+  const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), hole.vertices.begin(), hole.vertices.end());
+  for (const auto& t : hole.triangles)
+    mesh.triangles.push_back({first + t[0], first + t[2], first + t[1]});
+  const CopiedPath made = copy_mill(TriangleBvh(mesh), options);
+  EXPECT_GT(made.out_of_reach, 0);
+  along(made.path, true,
+        [&](const Vec3& c) { EXPECT_GT((c - Vec3(20, 20, 15)).norm(), 10.0) << "in the cavity"; });
 }
 
 TEST(LevelCurves, ACircleIsOneClosedCurveRoundItsInside) {

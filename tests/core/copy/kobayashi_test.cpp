@@ -167,7 +167,7 @@ TEST(Kobayashi, FeedAlongScanningLinesAtY24) {
   write_section("feed_y24", e.grid, 24,
                 [&](std::size_t i) { return kMinute * e.feed.along[0][i]; });
   const Box slice = box(Vec3(0, 24, 0), Vec3(50, 26, 36));
-  const ToolPath path = copy_mill(e.bvh, copying(CopyMode::Scanning, slice, 400, 6000));
+  const ToolPath path = copy_mill(e.bvh, copying(CopyMode::Scanning, slice, 400, 6000)).path;
   const BothWays way = both_ways(path, e.grid, &e.feed, nullptr);
   write_pass("feed_pass_stairs", way.stairs, 24);
   write_pass("feed_pass_smooth", way.smooth, 24);
@@ -185,7 +185,7 @@ TEST(Kobayashi, FeedAlongContourLines) {
   const FeedExperiment e;
   CopyOptions options = copying(CopyMode::Contour, e.stock, 400, 6000);
   options.axial_depth = 12.0;  // every sixth level of the experiment
-  const ToolPath path = copy_mill(e.bvh, options);
+  const ToolPath path = copy_mill(e.bvh, options).path;
   write_path("contour_path", path);
   const BothWays way = both_ways(path, e.grid, &e.feed, nullptr);
   expect_within_limits(way.smooth);
@@ -206,7 +206,7 @@ TEST(Kobayashi, PostureAlongScanningLinesOverAnOverhang) {
   const Box slices = box(Vec3(0, 10, 0), Vec3(76, 40, 40));
   CopyOptions options = copying(CopyMode::ScanningUndercut, slices, 4000, 9000);
   options.radial_depth = 10.0;  // the four planes of the figures
-  const ToolPath path = copy_mill(bvh, options);
+  const ToolPath path = copy_mill(bvh, options).path;
   const BothWays way = both_ways(path, grid, nullptr, &posture);
   for (const int y : {10, 20, 30, 40}) {
     write_section(fmt::format("posture_y{}", y), grid, y,
