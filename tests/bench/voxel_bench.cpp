@@ -198,6 +198,7 @@ BENCHMARK(openvdb_poisson)
 BENCHMARK(eigen_cg)
     ->Arg(kMillion)
     ->Arg(kFiveMillion)
+    ->Arg(kTwentyMillion)
     ->Iterations(1)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

@@ -130,11 +130,13 @@ def prepare(folder, program, machine):
 def command_line(folder, rate):
     """unshare … linuxcnc. An ordinary user gets namespaces through a user namespace of his own."""
     inside = 'ip link set lo up; mount -t tmpfs tmpfs /dev/shm; cd "$1"; shift; exec "$@"'
-    user, become = ['--user', '--map-current-user', '--keep-caps'], ['setpriv', '--no-new-privs']
+    first, user = [], ['--user', '--map-current-user', '--keep-caps']
+    become = ['setpriv', '--no-new-privs']
     if os.getuid() == 0:
-        user = []
+        # before others: a task that is kept waiting keeps the motion queue short, and the planner brakes
+        first, user = ['nice', '-n', '-10'], []
         become += ['--reuid=%d' % NOBODY, '--regid=%d' % NOBODY, '--clear-groups']
-    return ['unshare', *user, '--fork', '--pid', '--mount-proc', '--ipc', '--net', '--kill-child',
+    return [*first, 'unshare', *user, '--fork', '--pid', '--mount-proc', '--ipc', '--net', '--kill-child',
             'bash', '-c', inside, 'bash', folder, *become,
             'env', '-i', 'PATH=/usr/bin:/bin', 'HOME=%s' % folder, 'LANG=C',
             'CLOCK_RATE=%g' % rate, 'LD_PRELOAD=%s' % (folder / 'virtual_clock.so'),

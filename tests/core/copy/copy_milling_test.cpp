@@ -127,7 +127,11 @@ TEST_P(CopyParts, StopsWhenAskedAndSaysHowFarItIs) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, CopyParts,
                          testing::Values(CopyMode::Scanning, CopyMode::ScanningUndercut,
-                                         CopyMode::Contour));
+                                         CopyMode::Contour),
+                         [](const testing::TestParamInfo<CopyMode>& mode) {
+                           const char* names[] = {"Scanning", "ScanningUndercut", "Contour"};
+                           return names[static_cast<int>(mode.param)];
+                         });
 
 TEST(CopyMilling, ScallopsOnAFlatAreAsPredicted) {
   const TriangleBvh part(box_mesh(Vec3::Zero(), Vec3(20, 20, 5)));

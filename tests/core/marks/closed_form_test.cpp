@@ -46,7 +46,11 @@ INSTANTIATE_TEST_SUITE_P(
     SpindleMarks, Arrays,
     ::testing::Values(Array{0.5, 0.0, {0.25, 0.25}, 0.064586},
                       Array{0.5, 0.5, {0.0, 0.3125}, 0.050082},
-                      Array{0.5 * std::sqrt(0.75), 0.5, {0.0, 0.5 / std::sqrt(3.0)}, 0.042573}));
+                      Array{0.5 * std::sqrt(0.75), 0.5, {0.0, 0.5 / std::sqrt(3.0)}, 0.042573}),
+    [](const ::testing::TestParamInfo<Array>& array) {
+      const char* names[] = {"Square", "Staggered", "Triangular"};
+      return names[array.index];
+    });
 
 TEST(ClosedForm, RidgeIsTheExactScallop) {
   const auto places = test::rows_of_places(3, 1, 0.5, 0.5, [](int) { return 0.0; });

@@ -61,7 +61,10 @@ TEST_P(PeakOf, ModelPostureAndFeedIsWhatWasForeseen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Memory, PeakOf,
-                         testing::Values(PostureForm::Angles, PostureForm::UnitVector));
+                         testing::Values(PostureForm::Angles, PostureForm::UnitVector),
+                         [](const testing::TestParamInfo<PostureForm>& form) {
+                           return form.param == PostureForm::Angles ? "Angles" : "UnitVector";
+                         });
 
 TEST(Memory, EstimateIsCloseToWhatIsStored) {
   const TriangleMesh stock = box_mesh(Vec3::Constant(-32), Vec3::Constant(32));
