@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -125,13 +126,15 @@ TEST_P(CopyParts, StopsWhenAskedAndSaysHowFarItIs) {
   EXPECT_GT(statistics(whole).cut_length, 0.0);
 }
 
+std::string name_of(const testing::TestParamInfo<CopyMode>& mode) {
+  const char* names[] = {"Scanning", "ScanningUndercut", "Contour"};
+  return names[static_cast<int>(mode.param)];
+}
+
 INSTANTIATE_TEST_SUITE_P(Modes, CopyParts,
                          testing::Values(CopyMode::Scanning, CopyMode::ScanningUndercut,
                                          CopyMode::Contour),
-                         [](const testing::TestParamInfo<CopyMode>& mode) {
-                           const char* names[] = {"Scanning", "ScanningUndercut", "Contour"};
-                           return names[static_cast<int>(mode.param)];
-                         });
+                         name_of);
 
 TEST(CopyMilling, ScallopsOnAFlatAreAsPredicted) {
   const TriangleBvh part(box_mesh(Vec3::Zero(), Vec3(20, 20, 5)));

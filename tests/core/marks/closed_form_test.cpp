@@ -41,16 +41,18 @@ TEST_P(Arrays, RidgeAndPeakHeights) {
   EXPECT_NEAR(height_at(still, places, places[12] + a.peak), a.height, 1e-6);
 }
 
+std::string name_of(const ::testing::TestParamInfo<Array>& array) {
+  const char* names[] = {"Square", "Staggered", "Triangular"};
+  return names[array.index];
+}
+
 // f = 0.5, R = 1. The farthest point of a triangle of places is its circumcentre.
 INSTANTIATE_TEST_SUITE_P(
     SpindleMarks, Arrays,
     ::testing::Values(Array{0.5, 0.0, {0.25, 0.25}, 0.064586},
                       Array{0.5, 0.5, {0.0, 0.3125}, 0.050082},
                       Array{0.5 * std::sqrt(0.75), 0.5, {0.0, 0.5 / std::sqrt(3.0)}, 0.042573}),
-    [](const ::testing::TestParamInfo<Array>& array) {
-      const char* names[] = {"Square", "Staggered", "Triangular"};
-      return names[array.index];
-    });
+    name_of);
 
 TEST(ClosedForm, RidgeIsTheExactScallop) {
   const auto places = test::rows_of_places(3, 1, 0.5, 0.5, [](int) { return 0.0; });
