@@ -67,11 +67,7 @@ def _summary(made):
     """What there is to say of a CopiedPath."""
     seconds = made.path.statistics()["timed_seconds"]
     text = translate("{} moves, {} of milling").format(grouped(len(made.path)), duration(seconds))
-    if made.out_of_reach:
-        text += "<br>" + translate("{} lines in cavities are left out: no way from above").format(
-            grouped(made.out_of_reach)
-        )
-    return text
+    return "<br>".join([text, *(translate(remark) for remark in copy_milling.remarks(made))])
 
 
 class CopyView(OperationView):

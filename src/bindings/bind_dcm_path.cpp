@@ -4,6 +4,7 @@
 #include "bindings/solid.h"
 #include "core/copy/copy_milling.h"
 #include "core/copy/live_session.h"
+#include "core/copy/plunge_feed.h"
 #include "core/dcm/air_cuts.h"
 #include "core/dcm/apply_dcm.h"
 #include "core/dcm/clear_axis.h"
@@ -183,6 +184,9 @@ void bind_copy(py::module_& m) {
       "cannot be "
       "reached from above and were left out). If progress(share) returns False: what was done so "
       "far.");
+  m.def("with_plunge_feed", &with_plunge_feed, py::arg("path"), py::arg("vertical"),
+        py::call_guard<py::gil_scoped_release>(),
+        "The path with no timed move going down faster than `vertical` [mm/s].");
   m.def("joined", &joined, py::arg("paths"),
         "Paths one after the other, a rapid between; tool and spindle are the first one's.");
   m.def("scallop_height", &scallop_height, py::arg("radius"), py::arg("cross_feed"),

@@ -43,12 +43,15 @@ void bind_text(py::module_& m) {
       .def("__str__", &PathText::whole);
   m.def(
       "freecad_text",
-      [](const ToolPath& path, double feed, int decimals, bool exact_stop) {
-        return PathText((exact_stop ? "G61\n" : "") + freecad_text(path, feed, Decimals(decimals)));
+      [](const ToolPath& path, std::optional<double> feed, int decimals, bool exact_stop) {
+        const Decimals d(decimals);
+        return PathText((exact_stop ? "G61\n" : "") +
+                        (feed ? freecad_text(path, *feed, d) : freecad_text(path, d)));
       },
       py::arg("path"), py::arg("feed"), py::arg("decimals"), py::arg("exact_stop") = false,
       py::call_guard<py::gil_scoped_release>(),
-      "A constant-feed path as text for Path.Path(text); `feed` [mm/s]. `exact_stop`: G61 first.");
+      "A constant-feed path as text for Path.Path(text); `feed` [mm/s], or None for a path whose "
+      "moves have their own. `exact_stop`: G61 first.");
 }
 
 void bind_reader(py::module_& m) {

@@ -8,6 +8,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
+import re
 from dataclasses import dataclass, field
 
 import _patchmill as core
@@ -19,6 +20,10 @@ RAPID, CUT = 0, 2
 NO_MOVE = {"G17", "G21", "G40", "G49", "G54", "G80", "G90", "G94", "G98", "G99", "G4", "G04"}
 CYCLES = {"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G88", "G89"}
 PACED = {"G33", "G61", "G64", "G93", "G95"}
+MOVES = {"G0", "G00", "G1", "G01", "G2", "G02", "G3", "G03"}
+MOVE_WORDS = set("XYZFIJKABC")
+MACHINE_WORDS = re.compile(r"M0?[0-9]|[TS]\d*")  # of M words those that move nothing
+ARC_ERROR = 0.005  # mm by which the ends of an arc may differ in their distance from its centre
 
 
 @dataclass
@@ -51,16 +56,19 @@ def read(commands, label="Base"):
     that turn rotary axes, or that are relative."""
     base = BasePath(list(commands))
     at = [None, None, None]
-    feed = 0.0
+    feed, retract = 0.0, False
     for number, command in enumerate(base.commands):
         name, p = command.Name, command.Parameters
         feed = p.get("F", feed)
-        if name.startswith("(") or name in NO_MOVE or name[:1] in "MTS":
+        if name in ("G98", "G99"):
+            retract = name == "G99"
+        if name.startswith("(") or name in NO_MOVE or MACHINE_WORDS.fullmatch(name):
             continue
         _refuse(label, name, p)
         target = [p.get(axis, old) for axis, old in zip("XYZ", at)]
         if name in CYCLES:
-            at = target[:2] + [at[2]]  # G98: back to where it was
+            # G98: back to where it was, G99: to the height R
+            at = target[:2] + [p.get("R", at[2]) if retract else at[2]]
             continue
         known = None not in at
         if known:
@@ -76,8 +84,10 @@ def _refuse(label, name, parameters):
         raise InputError(label, name, "its feed is a timing, which must not change.")
     if any(parameters.get(axis) for axis in "ABC"):
         raise InputError(label, "rotary words", "its tool is tilted already: choose an upright path.")
-    if name not in CYCLES and name not in ("G0", "G00", "G1", "G01", "G2", "G02", "G3", "G03"):
-        raise InputError(label, name, "this word is not understood: choose another operation.")
+    strange = set(parameters) - MOVE_WORDS if name in MOVES else ()
+    if name not in CYCLES and name not in MOVES or strange:
+        words = " ".join([name, *sorted(strange)])
+        raise InputError(label, words, "this word is not understood: choose another operation.")
 
 
 def _add(base, number, name, parameters, start, end, feed, label):
@@ -86,7 +96,7 @@ def _add(base, number, name, parameters, start, end, feed, label):
     elif name in ("G1", "G01"):
         points, kind = [end], CUT
     else:
-        centre = (start[0] + parameters.get("I", 0.0), start[1] + parameters.get("J", 0.0))
+        centre = _centre(label, name, parameters, start, end)
         base.centres[number] = centre
         points, kind = arc_points(start, end, centre, name in ("G2", "G02")), CUT
     if kind == CUT and not feed > 0.0:
@@ -97,6 +107,18 @@ def _add(base, number, name, parameters, start, end, feed, label):
             base.kinds.append(kind)
             base.feeds.append(feed)
             base.source.append(number)
+
+
+def _centre(label, name, parameters, start, end):
+    """(x, y) of an arc's centre, which its I and J say from its start."""
+    if parameters.get("K") or not (parameters.get("I") or parameters.get("J")):
+        raise InputError(label, name, "an arc needs its centre by I and J, in the XY plane.")
+    centre = (start[0] + parameters.get("I", 0.0), start[1] + parameters.get("J", 0.0))
+    off = abs(math.dist(start[:2], centre) - math.dist(end[:2], centre))
+    if off > ARC_ERROR:
+        remedy = "its ends are not on one circle, by %.3f mm: choose another operation." % off
+        raise InputError(label, name, remedy)
+    return centre
 
 
 def arc_points(start, end, centre, clockwise):

@@ -13,9 +13,10 @@ import math
 from dataclasses import dataclass
 
 import _patchmill as core
+import FreeCAD
 from _patchmill import InputError
 
-from patchmill import host, removal_model, tool_controller
+from patchmill import host, made_from, removal_model, tool_controller
 from patchmill.operation import BallEndOperation, create, setup_properties
 from patchmill.operation import recompute  # noqa: F401  for macros: it returns the ToolPath
 
@@ -57,14 +58,12 @@ class ObjectCopyMilling(BallEndOperation):
 
     def opExecute(self, obj):
         ready, self.ready = self.ready, None
-        try:
-            given = input_of(obj)
-            made = ready if ready is not None else mill(given)
-        except InputError as error:
-            self.error = error
-            raise
+        given = input_of(obj)
+        made = ready if ready is not None and ready.asked == given else mill(given)
         self.path = made.path
-        text = str(core.freecad_text(self.path, given.feed, 4))
+        for remark in remarks(made):
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (obj.Label, remark))
+        text = str(core.freecad_text(self.path, None, 4))
         self.commandlist.extend(host.begin_upright(host.Path.Path(text).Commands))
         statistics = self.path.statistics()
         obj.Moves = len(self.path)
@@ -86,6 +85,8 @@ class CopyInput:
     tolerance: float
     safe_height: float
     feed: float
+    plunge_feed: float  # greatest velocity downwards
+    cutting_edge: float  # length of the tool's edges; infinite if its bit does not say
     tool: core.BallEndMill
     spindle: core.Spindle
     stock: str
@@ -102,11 +103,9 @@ class CopyInput:
 
 def input_of(obj):
     """CopyInput of a CopyMilling object. Raises InputError naming the property."""
-    feed, tool, spindle = _cutting(obj.ToolController)
+    tool, *cutting = _cutting(obj.ToolController)
     _check(obj, tool)
-    job = host.PathUtils.findParentJob(obj)
-    if job is None:
-        raise InputError("Job", obj.Label, "the operation belongs to no job.")
+    job = made_from.job_of(obj)
     faces = [base.Shape.getElement(n) for base, names in obj.Base for n in names if n]
     return CopyInput(
         obj.Mode,
@@ -117,9 +116,9 @@ def input_of(obj):
         obj.Allowance.Value,
         obj.Tolerance.Value,
         obj.SafeHeight.Value,
-        feed,
+        *cutting,
         tool,
-        spindle,
+        _spindle(obj.ToolController),
         *removal_model.job_shapes(job),
         _compound(faces) if faces else "",
         len(faces),
@@ -134,11 +133,24 @@ def _compound(faces):
 
 @dataclass
 class CopiedPath:
-    """A _patchmill.ToolPath, and how many lines had to be left out of it: in a cavity, where the tool cannot
-    come from above."""
+    """A _patchmill.ToolPath, how many lines had to be left out of it: in a cavity, where the tool cannot
+    come from above, and the CopyInput it was made from."""
 
     path: core.ToolPath
     out_of_reach: int
+    asked: CopyInput
+
+
+def remarks(made):
+    """Sentences on what a user should know of a CopiedPath before it is cut."""
+    given, said = made.asked, []
+    if given.mode == MODES[2]:
+        said.append("an upright shank would cut the overhang: put a DCM modifier with posture on it.")
+    if given.last_radial > 2.0 * given.tool.radius:
+        said.append("the lines are further apart than the tool is wide: ridges stay between them.")
+    if made.out_of_reach:
+        said.append("%d lines in cavities are left out: no way from above." % made.out_of_reach)
+    return said
 
 
 def mill(given, progress=None):
@@ -146,6 +158,7 @@ def mill(given, progress=None):
     the property."""
     stock, part = solids(given)
     low, high = _to_cut(stock, part)
+    _check_heights(given, low, high)
     jobs = []  # (radial depth, axial depth, allowance) of each pass
     if given.passes != "Finishing":
         jobs.append((given.radial, given.axial, given.allowance))
@@ -161,7 +174,8 @@ def mill(given, progress=None):
             return None
         made.append(path)
         lost += missing
-    return CopiedPath(core.joined(made), lost)
+    path = core.with_plunge_feed(core.joined(made), given.plunge_feed)
+    return CopiedPath(path, lost, given)
 
 
 class _Asked:
@@ -192,7 +206,7 @@ def _to_cut(stock, part):
 
 def _options(given, low, high, radial, axial, allowance):
     depths = (radial, axial, given.tolerance, allowance)
-    room = (low, high, max(0.1, given.safe_height - high[2]), OVERLAP * given.tool.radius)
+    room = (low, high, given.safe_height - high[2], OVERLAP * given.tool.radius)
     return core.CopyOptions(given.mode, given.tool, given.spindle, given.feed, *depths, *room)
 
 
@@ -232,12 +246,22 @@ def _cutting(controller):
             "%s (%s)" % (controller.Label, kind or "unknown kind"),
             "copy milling takes a ball end mill: choose one.",
         )
-    feed, speed = controller.HorizFeed.Value, controller.SpindleSpeed
-    for name, value in (("HorizFeed", feed), ("SpindleSpeed", speed)):
-        if not (math.isfinite(value) and value > 0.0):
-            raise InputError(name, value, "give more than zero.")
-    tool = core.BallEndMill(float(controller.Tool.Diameter) / 2.0, max(1, int(controller.Tool.Flutes)))
-    return feed, tool, core.Spindle(speed / 60.0, tool_controller.sense(controller))
+    for name in ("HorizFeed", "VertFeed"):
+        feed = getattr(controller, name).Value
+        if not (math.isfinite(feed) and feed > 0.0):
+            raise InputError(
+                name, "%g mm/min" % (60.0 * feed), "give %s more than zero." % controller.Label
+            )
+    tool = core.BallEndMill(float(controller.Tool.Diameter) / 2.0, tool_controller.flutes(controller.Tool))
+    edge = float(getattr(controller.Tool, "CuttingEdgeHeight", 0.0) or 0.0)
+    return tool, controller.HorizFeed.Value, controller.VertFeed.Value, edge if edge > 0.0 else math.inf
+
+
+def _spindle(controller):
+    speed = controller.SpindleSpeed
+    if not (math.isfinite(speed) and speed > 0.0):
+        raise InputError("SpindleSpeed", "%g rpm" % speed, "give %s more than zero." % controller.Label)
+    return core.Spindle(speed / 60.0, tool_controller.sense(controller))
 
 
 def _check(obj, tool):
@@ -245,10 +269,25 @@ def _check(obj, tool):
         value = getattr(obj, name).Value
         if not value > 0.0:
             raise InputError(name, "%g mm" % value, "give more than zero.")
+    axial, allowance = obj.AxialDepth.Value, obj.Allowance.Value
+    if obj.Passes == PASSES[0] and not allowance <= axial:
+        remedy = "give no more than AxialDepth, %g mm: the last pass takes it all at once." % axial
+        raise InputError("Allowance", "%g mm" % allowance, remedy)
     if not 1e-4 <= obj.Tolerance.Value <= tool.radius:
         raise InputError(
             "Tolerance", "%g mm" % obj.Tolerance.Value, "give 0.0001 to %g mm." % tool.radius
         )
+
+
+def _check_heights(given, low, high):
+    """Rapids stay above the stock, and the tool cuts with its edges only."""
+    if not given.safe_height > high[2]:
+        remedy = "rapids would go through the stock: give more than its top, %g mm." % high[2]
+        raise InputError("SafeHeight", "%g mm" % given.safe_height, remedy)
+    deepest = min(given.axial, high[2] - low[2])
+    if given.passes != "Finishing" and deepest > given.cutting_edge:
+        remedy = "give no more than the tool's cutting edge, %g mm." % given.cutting_edge
+        raise InputError("AxialDepth", "%g mm" % given.axial, remedy)
 
 
 def SetupProperties():

@@ -10,7 +10,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import base_path, host, machines, removal_model, tilted_path, tool_controller
+from patchmill import base_path, host, machines, made_from, removal_model, tilted_path, tool_controller
 from patchmill.texture_operation import ObjectTexture
 
 STEEP = -0.5  # a move that falls by more than half its length is a plunge
@@ -22,7 +22,8 @@ class DcmInput:
     """mm, s, degrees; feeds in mm/s."""
 
     model: removal_model.ModelInput
-    commands: list
+    commands: list = field(compare=False)
+    length: float  # of the base's path: with its label, what `commands` are compared by
     label: str
     tool: core.BallEndMill
     spindle: core.Spindle
@@ -54,6 +55,7 @@ class Result:
     base: core.ToolPath
     steps: dict
     not_clear: int
+    asked: DcmInput
 
     @property
     def seconds(self):
@@ -70,9 +72,7 @@ class Result:
 
 def input_of(obj):
     """DcmInput of a DressupDCM object. Raises InputError naming the property."""
-    job = host.PathUtils.findParentJob(obj)
-    if job is None:
-        raise InputError("Base", obj.Label, "the dressup belongs to no job.")
+    job = made_from.job_of(obj)
     feed, posture = obj.Controls != "Posture", obj.Controls != "Feed"
     operation = _operation(obj)
     if isinstance(operation.Proxy, ObjectTexture):
@@ -86,6 +86,7 @@ def input_of(obj):
     return DcmInput(
         model=model,
         commands=obj.Base.Path.Commands,
+        length=obj.Base.Path.Length,
         label=obj.Base.Label,
         tool=_tool(operation, posture),
         spindle=_spindle(operation),
@@ -162,7 +163,7 @@ def apply(given, model):
         commands = base_path.write(
             made.base, path, made.source, given.feed_tolerance, host.Path.Command
         )
-    return Result(commands, path, made.planned, core.path_steps(path), made.not_clear)
+    return Result(commands, path, made.planned, core.path_steps(path), made.not_clear, given)
 
 
 def slow_plunges(path, planned, source):
@@ -209,6 +210,7 @@ def _operation(obj):
 
 def _tool(operation, posture):
     controller = operation.ToolController
+    tool_controller.require_tool(controller)
     kind = host.tool_kind(controller.Tool)
     if posture and kind != "ballend":
         raise InputError(
@@ -216,7 +218,7 @@ def _tool(operation, posture):
             "%s (%s)" % (controller.Label, kind or "unknown kind"),
             "only a ball end mill can be tilted: choose one, or set Controls to Feed.",
         )
-    return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, max(1, int(controller.Tool.Flutes)))
+    return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, tool_controller.flutes(controller.Tool))
 
 
 def _transient(obj):

@@ -11,7 +11,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill import dcm, hooks, host, property_table, removal_model
+from patchmill import dcm, hooks, host, made_from, property_table, removal_model
+from patchmill.operation import forget_dressups, not_computed
 from patchmill.translate import QT_TRANSLATE_NOOP
 
 CONTROLS = ["Feed", "Posture", "Feed and posture"]
@@ -102,6 +103,7 @@ class DressupDCM:
         )
         obj.Base = base
         property_table.add(obj, PROPERTIES, RESULTS)
+        made_from.add(obj)
 
     def dumps(self):
         return None
@@ -117,6 +119,7 @@ class DressupDCM:
 
     def onDocumentRestored(self, obj):
         property_table.add(obj, PROPERTIES, RESULTS)
+        made_from.add(obj)
         hooks.announce_restored(obj)
 
     def onDelete(self, obj, args=None):
@@ -130,21 +133,37 @@ class DressupDCM:
             obj.Base = None
         return True
 
-    def execute(self, obj):
+    def forget_path(self, obj):
+        """As if it had never been executed: nothing old is left to be posted."""
         self.model = self.result = self.error = None
         obj.Path = host.Path.Path()
-        if not obj.Base or not getattr(obj.Base, "Path", None):
-            return
-        ready, self.ready = self.ready, None
+
+    def execute(self, obj):
+        before = self.model  # its voxels may do for the new one, while it is there
+        self.forget_path(obj)
         try:
-            self.model, self.result = ready or compute(
-                dcm.input_of(obj), removal_model.file_beside(obj.Document, obj.Name)
-            )
+            if not obj.Base:
+                raise InputError("Base", "none", "the operation under it is gone: delete the dressup.")
+            if not host.is_active(obj):
+                obj.Path = host.Path.Path("(inactive operation)")
+                return
+            self.model, self.result = self._ready_or_made(obj, dcm.input_of(obj))
         except InputError as error:
             self.error = error
+            forget_dressups(obj)
             raise
+        finally:
+            del before
+        if self.model.not_saved:
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (obj.Label, self.model.not_saved))
         obj.Path = host.Path.Path(self.result.commands)
         show_results(obj, self.model, self.result)
+
+    def _ready_or_made(self, obj, given):
+        ready, self.ready = self.ready, None
+        if ready is not None and ready[1].asked == given:
+            return ready
+        return compute(given, removal_model.file_beside(obj.Document, obj.Name))
 
 
 def compute(given, file, progress=None):
@@ -166,25 +185,46 @@ def show_results(obj, model, result):
 
 
 def Create(name, base):
-    """A new DressupDCM in the place of `base`, an operation or dressup of a job."""
-    if not base.isDerivedFrom("Path::Feature") or base.isDerivedFrom("Path::FeatureCompoundPython"):
-        raise InputError("Base", base.Label, "choose an operation or a dressup of a job.")
+    """A new DressupDCM in the place of `base`, an operation or dressup of a job. Raises InputError naming
+    Base."""
+    if not _is_path(base):
+        label = getattr(base, "Label", repr(base))
+        raise InputError("Base", label, "choose an operation or a dressup of a job.")
     job = host.PathUtils.findParentJob(base)
     if job is None:
         raise InputError("Base", base.Label, "it belongs to no job: choose one that does.")
-    obj = FreeCAD.ActiveDocument.addObject("Path::FeaturePython", name)
+    if base not in job.Operations.Group:
+        over = next((o.Label for o in base.InList if getattr(o, "Base", None) is base), job.Label)
+        remedy = "%s has taken its place in the job: choose that." % over
+        raise InputError("Base", base.Label, remedy)
+    # FreeCAD knows a dressup by its name
+    obj = base.Document.addObject("Path::FeaturePython", name if "Dressup" in name else "Dressup" + name)
     obj.Proxy = DressupDCM(obj, base)
     job.Proxy.addOperation(obj, base, True)  # takes the base's place among the operations
+    made_from.follow(obj, job)
     return hooks.announce(obj)
+
+
+def _is_path(thing):
+    kind = getattr(thing, "isDerivedFrom", lambda _: False)
+    return kind("Path::Feature") and not kind("Path::FeatureCompoundPython")
 
 
 def recompute(obj):
     """Recomputes a dressup and returns its dcm.Result. Raises InputError with the reason if there is none;
     FreeCAD itself would only mark the object."""
+    before = obj.Proxy.model  # see execute
+    obj.Proxy.forget_path(obj)
+    obj.Proxy.model = before
     obj.touch()
     obj.Document.recompute()
+    return made(obj)
+
+
+def made(obj):
+    """The dcm.Result of the last execute. Raises InputError with the reason if there is none."""
     if obj.Proxy.error is not None:
         raise obj.Proxy.error
     if obj.Proxy.result is None:
-        raise InputError("Base", "no path", "recompute the base operation first.")
+        raise not_computed(obj)
     return obj.Proxy.result

@@ -6,6 +6,7 @@ PatchMill takes what differs from here.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import contextlib
 import os
 import tempfile
 
@@ -23,12 +24,14 @@ if VERSION >= (0, 21):
     import Path.Preferences as PathPreferences
     import Path.Tool.Controller as PathToolController
     import Path.Base.SetupSheet as SetupSheet
+    import Path.Base.Util as PathUtil
 else:
     import PathScripts.PathJob as PathJob
     import PathScripts.PathOp as PathOp
     import PathScripts.PathPreferences as PathPreferences
     import PathScripts.PathToolController as PathToolController
     import PathScripts.PathSetupSheet as SetupSheet
+    import PathScripts.PathUtil as PathUtil
 
 register_operation = SetupSheet.RegisterOperation
 
@@ -67,9 +70,30 @@ __all__ = [
 ]
 
 
+@contextlib.contextmanager
+def active_document(document=None):
+    """`document` as the active one, for FreeCAD's functions that make objects there or look for jobs by name;
+    None: the one that is active."""
+    before = FreeCAD.ActiveDocument
+    document = document or before
+    if document is not before:
+        FreeCAD.setActiveDocument(document.Name)
+    try:
+        yield document
+    finally:
+        if document is not before and before is not None:
+            FreeCAD.setActiveDocument(before.Name)
+
+
 def create_job(name, models):
     """A Job over `models` (document objects) as the GUI would make it, with one tool controller."""
-    return hooks.announce(PathJob.Create(name, models))
+    with active_document(models[0].Document if models else None):
+        return hooks.announce(PathJob.Create(name, models))
+
+
+def is_active(obj):
+    """Whether an operation, or the one under a dressup, is switched on."""
+    return PathUtil.opProperty(obj, "Active") is not False
 
 
 def tool_controllers(job):
@@ -156,7 +180,8 @@ def add_ball_end_controller(
     """Gives a tool controller, the job's first if None, a ball end mill; returns the controller."""
     controller = controller or tool_controllers(job)[0]
     replaced = controller.Tool
-    controller.Tool = make_ball_end_mill(diameter_mm, flutes)
+    with active_document(job.Document):
+        controller.Tool = make_ball_end_mill(diameter_mm, flutes)
     if replaced and not replaced.InList:
         replaced.Document.removeObject(replaced.Name)
     controller.Label = "Ball end mill %g mm" % diameter_mm

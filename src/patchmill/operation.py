@@ -4,10 +4,9 @@ an error that is kept for whoever asks, and no old path after a failure.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import FreeCAD
 from _patchmill import InputError
 
-from patchmill import hooks, host, property_table
+from patchmill import hooks, host, made_from, property_table, tool_controller
 
 
 class BallEndOperation(host.PathOp.ObjectOp):
@@ -37,19 +36,30 @@ class BallEndOperation(host.PathOp.ObjectOp):
 
     def initOperation(self, obj):
         property_table.add(obj, self.properties(), self.results())
+        made_from.add(obj)
 
     def opOnDocumentRestored(self, obj):
         property_table.add(obj, self.properties(), self.results())  # documents of older versions
+        made_from.add(obj)
         hooks.announce_restored(obj)
 
     def opSetDefaultValues(self, obj, job):
         property_table.set_defaults(obj, self.properties())
 
     def execute(self, obj):
-        """As ObjectOp.execute, but an operation that fails leaves no old path to be posted."""
+        """As ObjectOp.execute, but an operation that fails leaves no old path to be posted, neither its own
+        nor that of a dressup on it, which FreeCAD does not recompute then."""
         self.forget()
         obj.Path = host.Path.Path()
-        return super().execute(obj)
+        try:
+            if obj.Active:
+                made_from.job_of(obj)
+                tool_controller.require_tool(obj.ToolController)
+            return super().execute(obj)
+        except InputError as error:
+            self.error = error
+            forget_dressups(obj)
+            raise
 
     def forget(self):
         """As if it had never been executed."""
@@ -57,12 +67,24 @@ class BallEndOperation(host.PathOp.ObjectOp):
         setattr(self, self.RESULT, None)
 
 
+def forget_dressups(obj):
+    """Takes the paths of our dressups on `obj`, directly or over others, away: what they were made of is
+    gone."""
+    for other in obj.InListRecursive:
+        if hasattr(getattr(other, "Proxy", None), "forget_path"):
+            other.Proxy.forget_path(other)
+
+
 def create(proxy_class, name, obj, parentJob):
-    """A new operation in the active document; `parentJob` is the Job it goes into."""
-    if obj is None:
-        obj = FreeCAD.ActiveDocument.addObject("Path::FeaturePython", name)
-    obj.Proxy = proxy_class(obj, name, parentJob)
-    return hooks.announce(obj)
+    """A new operation in the document of `parentJob`, the Job it goes into; without one in the active
+    document's job."""
+    with host.active_document(parentJob and parentJob.Document) as document:
+        if obj is None:
+            obj = document.addObject("Path::FeaturePython", name)
+        obj.Proxy = proxy_class(obj, name, parentJob)
+        if hasattr(obj, "InList"):  # else it is the prototype of a setup sheet
+            made_from.follow(obj, host.PathUtils.findParentJob(obj))
+        return hooks.announce(obj)
 
 
 def setup_properties(proxy_class):
@@ -85,16 +107,27 @@ def made(obj):
         raise obj.Proxy.error
     result = getattr(obj.Proxy, obj.Proxy.RESULT)
     if result is None:
-        raise _refused_by_freecad(obj)
+        raise not_computed(obj)
     return result
 
 
-def _refused_by_freecad(obj):
-    """The InputError for an operation that FreeCAD did not execute."""
-    broken = [name for name in obj.PropertiesList if "Invalid" in _state_of(getattr(obj, name))]
-    if broken:
-        other = getattr(obj, broken[0]).Label
-        return InputError(broken[0], other, "it has an error, so that nothing after it is computed: mend it.")
+def not_computed(obj):
+    """The InputError for an operation or dressup that has no result, though it has no error of its own."""
+    if not host.is_active(obj):
+        operation = obj
+        while not hasattr(operation, "Active"):  # a dressup is as active as what is under it
+            operation = operation.Base
+        return InputError("Active", "false", "%s is switched off: switch it on." % operation.Label)
+    for name in obj.PropertiesList:
+        other = getattr(obj, name)
+        error = getattr(getattr(other, "Proxy", None), "error", None)
+        if error is not None and name == "Base":
+            return error
+        if "Invalid" in _state_of(other):
+            remedy = "it has an error, so that nothing after it is computed: mend it."
+            return InputError(name, other.Label, remedy)
+        if name == "Base" and "Touched" in _state_of(other):  # because of what is before it
+            return not_computed(other)
     return InputError(
         obj.Label, "not computed", "FreeCAD refused it: check its job, base faces and tool."
     )

@@ -59,14 +59,30 @@ def post(job, filename, post_name=None, arguments=None):
 
 
 def _active_operations(job):
-    operations = [op for op in job.Operations.Group if getattr(op, "Active", True)]
+    """The job's active operations and dressups, as they are now. Raises InputError if one of them, or what is
+    under a dressup, could not be computed: FreeCAD would post its last path."""
+    job.Document.recompute()  # what was changed since
+    operations = [op for op in job.Operations.Group if host.is_active(op)]
     for op in operations:
-        if "Invalid" in op.State:
-            error = getattr(op.Proxy, "error", None)
-            raise error or InputError(op.Label, "invalid", "repair the operation before posting.")
+        for part in _with_those_under(op):
+            error = getattr(part.Proxy, "error", None)
+            if error is not None:
+                raise error
+            if "Invalid" in part.State:
+                raise InputError(part.Label, "invalid", "repair the operation before posting.")
+            if part is not op and isinstance(part.Proxy, ObjectTexture):
+                remedy = "it would change a texture's path, which is its timing: take it away."
+                raise InputError(op.Label, part.Label, remedy)
     if not operations:
         raise InputError("Operations", "none", "the job has no active operation.")
     return operations
+
+
+def _with_those_under(op):
+    """An operation or dressup, and what dressups are on."""
+    while hasattr(op, "Proxy"):
+        yield op
+        op = getattr(op, "Base", None)
 
 
 def _check_verdict(op, plan):
@@ -137,7 +153,11 @@ def own_dialect(post_name):
 
 
 def _single_text(job, post_name, arguments):
-    parts = host.post_parts(job, post_name, arguments)
+    try:
+        parts = host.post_parts(job, post_name, arguments)
+    except Exception as error:  # a post-processor is FreeCAD's or somebody's: it may fail in any way
+        remedy = "it failed (%s: %s): use another post-processor." % (type(error).__name__, error)
+        raise InputError("PostProcessor", post_name, remedy) from error
     if len(parts) != 1:
         raise InputError(
             "OrderOutputBy", job.OrderOutputBy, "the job makes %d files; one is posted here." % len(parts)

@@ -55,11 +55,27 @@ class ModelInput:
 
 class RemovalModel:
     """`grid`, `posture` and `materials` of _patchmill, the last two None if not asked for; `stock` and `part`
-    as _patchmill.Solid; `loaded`: from the file."""
+    as _patchmill.Solid; `loaded`: from the file; `not_saved`: why it is not kept there, or ''."""
+
+    not_saved = ""
 
     def __init__(self, given, grid, posture, materials, stock, part, loaded):
         self.given, self.grid, self.posture, self.materials = given, grid, posture, materials
         self.stock, self.part, self.loaded = stock, part, loaded
+        self.files = set()  # that hold it
+
+    def keep(self, file, key):
+        """Writes it to `file`, unless it is there or `file` is ''. It only spares the next one the work, so
+        that a folder that cannot be written is no error."""
+        self.not_saved = ""
+        if not file or file in self.files:
+            return
+        try:
+            core.save_voxels(file, key, self.grid, self.posture, self.materials)
+            self.files.add(file)
+        except InputError as error:
+            reason = "the voxel model is not kept, and made anew next time: %s could not be written."
+            self.not_saved = reason % error.value
 
     @property
     def material_names(self):
@@ -122,22 +138,21 @@ def make(given, file="", progress=None):
     stock = _solid(given.stock, given.deflection, "Stock")
     bodies = [_solid(m.solid, given.deflection, "Materials") for m in given.materials]
     key = given.key(stock, part, bodies)
-    known = _in_use.get(key)
-    if known is not None and known.given == given:
-        return known
-    if known is not None:  # the same voxels, but names, factors or the rule of the feed's exterior differ
-        kept = known.grid, known.posture, known.materials
-        model = RemovalModel(given, *kept, stock, part, known.loaded)
-    else:
+    model = _in_use.get(key)
+    if model is None:
         found = core.load_voxels(file, key) if file else None
         if found is not None:
             model = RemovalModel(given, *found, stock, part, True)
+            model.files.add(file)
         else:
             model = _new(given, stock, part, bodies, progress)
             if model is None:
                 return None
-            if file:
-                core.save_voxels(file, key, model.grid, model.posture, model.materials)
+    elif model.given != given:  # the same voxels, but names, factors or the rule of the exterior differ
+        kept = model.grid, model.posture, model.materials
+        files, model = model.files, RemovalModel(given, *kept, stock, part, model.loaded)
+        model.files = files
+    model.keep(file, key)
     _in_use[key] = model
     return model
 
@@ -220,5 +235,17 @@ def job_shapes(job):
     shapes = [m.Shape for m in job.Model.Group if hasattr(m, "Shape") and not m.Shape.isNull()]
     if not shapes:
         raise InputError("Model", "none", "give the job a model.")
-    part = shapes[0] if len(shapes) == 1 else shapes[0].multiFuse(shapes[1:])
-    return stock.exportBrepToString(), part.exportBrepToString()
+    return stock.exportBrepToString(), _in_one(shapes).exportBrepToString()
+
+
+def _in_one(shapes):
+    """One shape of several. Solids that meet, also in a compound, become one: what lies in two of them would
+    count as outside."""
+    import Part
+
+    solids = [solid for shape in shapes for solid in shape.Solids]
+    if len(solids) > 1 and sum(len(s.Faces) for s in solids) == sum(len(s.Faces) for s in shapes):
+        boxes = [solid.BoundBox for solid in solids]
+        if any(a.intersect(b) for i, a in enumerate(boxes) for b in boxes[:i]):
+            return solids[0].multiFuse(solids[1:])
+    return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)

@@ -75,12 +75,7 @@ class ObjectTexture(BallEndOperation):
         return result
 
     def opExecute(self, obj):
-        try:
-            ready = self._ready_or_planned(self.texture_input(obj))
-        except InputError as error:
-            self.error = error
-            self.planned = None
-            raise
+        ready = self._ready_or_planned(self.texture_input(obj))
         self.planned = ready.planned
         self.commandlist.extend(ready.commands)
         show_results(obj, self.planned)

@@ -10,6 +10,23 @@ from patchmill import host
 SENSES = {"Forward": "M3", "Reverse": "M4"}
 
 
+def require_tool(controller):
+    """Raises InputError naming ToolController or Diameter if there is no tool to work with."""
+    if controller is None or controller.Tool is None:
+        raise InputError("ToolController", "none", "give the operation a tool controller with a tool.")
+    if not float(getattr(controller.Tool, "Diameter", 0.0)) > 0.0:
+        raise InputError(
+            "Diameter",
+            "0 mm",
+            "the tool of %s needs a diameter greater than zero." % controller.Label,
+        )
+
+
+def flutes(bit):
+    """How many a tool bit has; 1 if it does not say, for work that does not depend on them."""
+    return max(1, int(getattr(bit, "Flutes", 1)))
+
+
 def sense(controller):
     """"M3" or "M4", as it will be posted. Raises InputError naming SpindleDirection if the spindle stands, or
     if FreeCAD posts the tool bit's own direction (1.1 does) and that is another."""

@@ -24,6 +24,7 @@ from patchmill import CopyMilling, InputError, host  # noqa: E402
 from test_real_parts import IDF, OCCT, read  # noqa: E402
 
 RADIUS, TOLERANCE = 3.0, 0.01
+EDGE = 60.0  # mm that the tool's cutting edges are long
 REAL_PARTS = [
     OCCT / "occ/Axis_of_bearing.brep", OCCT / "occ/Pump_TopCover.brep", OCCT / "step/linkrods.step",
     OCCT / "occ/CrankArm.brep", IDF / "EPL22_6_16.stp",
@@ -100,7 +101,7 @@ class CopyMillingTest(WithDocuments):
                 with self.subTest(part=file.name, mode=mode):
                     print(file.name, "%.1f x %.1f x %.1f mm" % (size.XLength, size.YLength, size.ZLength))
                     big = max(size.XLength, size.YLength)
-                    depths = {"RadialDepth": big / 12, "AxialDepth": max(1.0, size.ZLength / 4)}
+                    depths = {"RadialDepth": big / 12, "AxialDepth": min(max(1.0, size.ZLength / 4), EDGE)}
                     self.check(solid, mode, max(0.3, big / 300), **depths)
 
     def test_scallop_on_a_flat(self):
@@ -150,6 +151,22 @@ class CopyMillingTest(WithDocuments):
         lowest = (faces.tips[faces.kinds == 2, 2]).min()
         self.assertAlmostEqual(lowest, model.Shape.Faces[floor - 1].BoundBox.ZMin, delta=0.01)
 
+    def test_goes_down_no_faster_than_the_tool_controller_says(self):
+        document, job = job_with_stock(pocket_part(), 1.0)
+        host.tool_controllers(job)[0].VertFeed = 2.0  # mm/s; 400 mm/min level
+        for mode in CopyMilling.MODES[:2]:
+            operation, path = self.mill(job, Mode=mode, RadialDepth=4.0)
+            text = host.post_parts(job, "linuxcnc", job.PostProcessorArgs)[0]
+            read = core.read_gcode(text, path.tool)[-1].path
+            for made in (path, read):
+                way = np.diff(np.vstack([[made.start], made.tips]), axis=0)
+                with np.errstate(invalid="ignore"):
+                    fall = -way[:, 2] / (made.turns / made.spindle.speed)
+                timed = (made.kinds > 0) & np.isfinite(fall)
+                self.assertLessEqual(fall[timed].max(), 2.0 + 2e-3)
+                self.assertGreater(fall[timed].max(), 1.99)
+            document.removeObject(operation.Name)
+
     def test_live_session_of_an_operation(self):
         document, job = job_with_stock(make_parts.convex_part(), 1.0)
         operation, _ = self.mill(job, RadialDepth=5.0, AxialDepth=8.0)
@@ -188,6 +205,31 @@ class CopyMillingTest(WithDocuments):
             self.assertEqual(caught.exception.property, name)
             self.assertEqual(len(operation.Path.Commands), 0)
             setattr(operation, name, good)
+        controller = operation.ToolController
+        for owner, name, bad in [
+            (operation, "Allowance", 9.0),  # more than AxialDepth: the last pass would take it at once
+            (controller, "HorizFeed", 0.0),
+            (controller, "VertFeed", 0.0),
+            (controller, "SpindleSpeed", 0.0),
+            (controller.Tool, "Diameter", 0.0),
+        ]:
+            good = getattr(owner, name)
+            setattr(owner, name, bad)
+            with self.assertRaises(InputError) as caught:
+                CopyMilling.recompute(operation)
+            self.assertEqual(caught.exception.property, name)
+            setattr(owner, name, good)
+        controller.Tool.CuttingEdgeHeight = 7.0
+        with self.assertRaises(InputError) as caught:
+            CopyMilling.recompute(operation)
+        self.assertEqual(caught.exception.property, "AxialDepth")
+        controller.Tool.CuttingEdgeHeight = EDGE
+        operation.setExpression("SafeHeight", None)
+        operation.SafeHeight = job.Stock.Shape.BoundBox.ZMax - 5.0
+        with self.assertRaises(InputError) as caught:
+            CopyMilling.recompute(operation)
+        self.assertEqual(caught.exception.property, "SafeHeight")
+        operation.SafeHeight = job.Stock.Shape.BoundBox.ZMax + 5.0
         job.Stock = document.addObject("Part::Box", "Small")
         with self.assertRaises(InputError) as caught:
             CopyMilling.recompute(operation)

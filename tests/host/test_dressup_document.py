@@ -20,6 +20,8 @@ from parts import WithDocuments  # noqa: E402
 from patchmill import DressupDCM, InputError  # noqa: E402
 from recipe import small_job  # noqa: E402
 
+V = FreeCAD.Vector
+
 
 class Saved(WithDocuments):
     def test_made_anew_when_the_part_changes(self):
@@ -58,6 +60,46 @@ class Saved(WithDocuments):
             dressup.VoxelSize = 2.0
             DressupDCM.recompute(dressup)
             self.assertFalse(dressup.Proxy.model.loaded)
+
+    def test_a_folder_that_cannot_be_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            document, job = make_job(pocket_part(), "blocked")
+            dressup = dress(add_profile(job), VoxelSize=1.25)
+            document.saveAs(os.path.join(folder, "part.FCStd"))
+            os.mkdir(os.path.join(folder, "part-DressupDCM.voxels"))  # so that not even root can write it
+            DressupDCM.recompute(dressup)
+            self.assertGreater(dressup.Moves, 100)
+            self.assertIn("part-DressupDCM.voxels", dressup.Proxy.model.not_saved)
+            os.rmdir(os.path.join(folder, "part-DressupDCM.voxels"))
+            DressupDCM.recompute(dressup)
+            self.assertEqual(dressup.Proxy.model.not_saved, "")
+            self.assertEqual(os.listdir(folder).count("part-DressupDCM.voxels"), 1)
+
+    def test_a_model_in_use_is_kept_beside_a_document_saved_later(self):
+        document, job = make_job(pocket_part(), "later")
+        dressup = dress(add_profile(job), VoxelSize=1.75)
+        DressupDCM.recompute(dressup)
+        model = dressup.Proxy.model
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("one", "two"):
+                document.saveAs(os.path.join(folder, name + ".FCStd"))
+                dressup.FeedAtSkin = dressup.FeedAtSkin.Value + 1.0
+                DressupDCM.recompute(dressup)
+                self.assertIs(dressup.Proxy.model, model)  # not made anew for another feed
+                self.assertTrue(os.path.exists(os.path.join(folder, name + "-DressupDCM.voxels")))
+
+
+class Solids(WithDocuments):
+    def test_solids_that_meet_count_as_one(self):
+        a = Part.makeBox(10, 10, 10)
+        for b in (Part.makeBox(10, 10, 15, V(5, 0, 0)), Part.makeBox(10, 10, 15, V(10, 0, 0))):
+            counts = []
+            for shape in (Part.makeCompound([a, b]), a.fuse(b)):
+                document, job = make_job(shape, "solids")
+                dressup = dress(add_profile(job), VoxelSize=0.5)
+                DressupDCM.recompute(dressup)
+                counts.append(dressup.Proxy.model.grid.counts)
+            self.assertEqual(counts[0], counts[1])
 
 
 class BadInput(WithDocuments):

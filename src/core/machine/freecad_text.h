@@ -17,4 +17,8 @@ namespace patchmill {
 /// of it: this writer is for constant feed, and never guesses.
 std::string freecad_text(const ToolPath& path, double feed, const Decimals& decimals);
 
+/// The same of a path whose moves have feeds of their own. A timed move of no length is left out: it has no
+/// feed. Errors: InputError naming Feed if a timed move has none.
+std::string freecad_text(const ToolPath& path, const Decimals& decimals);
+
 }  // namespace patchmill
