@@ -9,20 +9,18 @@ layer from the stock (Kobayashi & Shirase 2014, section 2; docs/copy-milling.md)
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import math
 from dataclasses import dataclass
 
 import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill import host, made_from, removal_model, tool_controller
+from patchmill import host
+from patchmill.copy_input import MODES, PASSES, CopyInput, input_of
 from patchmill.operation import BallEndOperation, create, setup_properties
 from patchmill.operation import recompute  # noqa: F401  for macros: it returns the ToolPath
 
-MODES = ["Scanning", "Contour", "Scanning with undercuts"]
 OVERLAP = 0.87  # of the ball's radius that lines go beyond the stock: slopes up to 60 degrees are finished
-PASSES = ["Roughing and finishing", "Roughing", "Finishing"]
 PROPERTIES = [
     ("App::PropertyEnumeration", "Mode", "Copy", "Lines in planes along X, or contours at levels", MODES),
     ("App::PropertyEnumeration", "Passes", "Copy", "Layers from the stock, the last pass, or both", PASSES),
@@ -70,65 +68,6 @@ class ObjectCopyMilling(BallEndOperation):
         obj.MachiningTime = statistics["timed_seconds"]
         obj.OutOfReach = made.out_of_reach
         obj.Scallop = core.scallop_height(self.path.tool.radius, given.last_radial)
-
-
-@dataclass
-class CopyInput:
-    """What copy milling needs of a document, so that it can run in any thread. mm, s; BREP texts."""
-
-    mode: str
-    passes: str
-    radial: float
-    axial: float
-    finishing_radial: float
-    allowance: float
-    tolerance: float
-    safe_height: float
-    feed: float
-    plunge_feed: float  # greatest velocity downwards
-    cutting_edge: float  # length of the tool's edges; infinite if its bit does not say
-    tool: core.BallEndMill
-    spindle: core.Spindle
-    stock: str
-    model: str
-    faces: str  # '' for the whole model
-    face_count: int = 0
-
-    @property
-    def last_radial(self):
-        """Distance of the lines of the last pass."""
-        own = self.finishing_radial
-        return own if own > 0.0 and self.passes != "Roughing" else self.radial
-
-
-def input_of(obj):
-    """CopyInput of a CopyMilling object. Raises InputError naming the property."""
-    tool, *cutting = _cutting(obj.ToolController)
-    _check(obj, tool)
-    job = made_from.job_of(obj)
-    faces = [base.Shape.getElement(n) for base, names in obj.Base for n in names if n]
-    return CopyInput(
-        obj.Mode,
-        obj.Passes,
-        obj.RadialDepth.Value,
-        obj.AxialDepth.Value,
-        obj.FinishingRadialDepth.Value,
-        obj.Allowance.Value,
-        obj.Tolerance.Value,
-        obj.SafeHeight.Value,
-        *cutting,
-        tool,
-        _spindle(obj.ToolController),
-        *removal_model.job_shapes(job),
-        _compound(faces) if faces else "",
-        len(faces),
-    )
-
-
-def _compound(faces):
-    import Part
-
-    return Part.makeCompound(faces).exportBrepToString()
 
 
 @dataclass
@@ -235,47 +174,6 @@ def _check_inside(stock, part):
     if over > 0.01:
         raise InputError(
             "Model", "%.3f mm outside the stock" % over, "move the part into the stock or enlarge it."
-        )
-
-
-def _cutting(controller):
-    kind = host.tool_kind(controller.Tool)
-    if kind != "ballend":
-        raise InputError(
-            "ToolController",
-            "%s (%s)" % (controller.Label, kind or "unknown kind"),
-            "copy milling takes a ball end mill: choose one.",
-        )
-    for name in ("HorizFeed", "VertFeed"):
-        feed = getattr(controller, name).Value
-        if not (math.isfinite(feed) and feed > 0.0):
-            raise InputError(
-                name, "%g mm/min" % (60.0 * feed), "give %s more than zero." % controller.Label
-            )
-    tool = core.BallEndMill(float(controller.Tool.Diameter) / 2.0, tool_controller.flutes(controller.Tool))
-    edge = float(getattr(controller.Tool, "CuttingEdgeHeight", 0.0) or 0.0)
-    return tool, controller.HorizFeed.Value, controller.VertFeed.Value, edge if edge > 0.0 else math.inf
-
-
-def _spindle(controller):
-    speed = controller.SpindleSpeed
-    if not (math.isfinite(speed) and speed > 0.0):
-        raise InputError("SpindleSpeed", "%g rpm" % speed, "give %s more than zero." % controller.Label)
-    return core.Spindle(speed / 60.0, tool_controller.sense(controller))
-
-
-def _check(obj, tool):
-    for name in ("RadialDepth", "AxialDepth"):
-        value = getattr(obj, name).Value
-        if not value > 0.0:
-            raise InputError(name, "%g mm" % value, "give more than zero.")
-    axial, allowance = obj.AxialDepth.Value, obj.Allowance.Value
-    if obj.Passes == PASSES[0] and not allowance <= axial:
-        remedy = "give no more than AxialDepth, %g mm: the last pass takes it all at once." % axial
-        raise InputError("Allowance", "%g mm" % allowance, remedy)
-    if not 1e-4 <= obj.Tolerance.Value <= tool.radius:
-        raise InputError(
-            "Tolerance", "%g mm" % obj.Tolerance.Value, "give 0.0001 to %g mm." % tool.radius
         )
 
 
