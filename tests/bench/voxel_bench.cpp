@@ -186,41 +186,29 @@ void patchmill_voxelise(benchmark::State& state) {
 // 1, 5, 20 and 88 million unknowns; the last is a box of 10^8 voxels
 constexpr int kMillion = 106, kFiveMillion = 181, kTwentyMillion = 287, kBox = 464;
 
+void peers_sizes(benchmark::internal::Benchmark* b) {
+  for (const int size : {kMillion, kFiveMillion, kTwentyMillion}) b->Arg(size);
+  b->Iterations(1)->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+void our_sizes(benchmark::internal::Benchmark* b) {
+  b->ArgsProduct({{kMillion, kFiveMillion, kTwentyMillion, kBox}, {1, 2}});
+  b->Iterations(1)->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+void box_sides(benchmark::internal::Benchmark* b) {
+  b->ArgsProduct({{64, 256, 512, 1024}, {1, 2}});
+  b->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+
 #ifdef PATCHMILL_HAVE_OPENVDB
-BENCHMARK(openvdb_poisson)
-    ->Arg(kMillion)
-    ->Arg(kFiveMillion)
-    ->Arg(kTwentyMillion)
-    ->Iterations(1)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(openvdb_poisson)->Apply(peers_sizes);
 #endif
-BENCHMARK(eigen_cg)
-    ->Arg(kMillion)
-    ->Arg(kFiveMillion)
-    ->Arg(kTwentyMillion)
-    ->Iterations(1)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(patchmill_laplace)
-    ->ArgsProduct({{kMillion, kFiveMillion, kTwentyMillion, kBox}, {1, 2}})
-    ->Iterations(1)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(eigen_cg)->Apply(peers_sizes);
+BENCHMARK(patchmill_laplace)->Apply(our_sizes);
 #ifdef PATCHMILL_HAVE_OPENVDB
-BENCHMARK(openvdb_mesh_to_level_set)
-    ->ArgsProduct({{64, 256, 512, 1024}, {1, 2}})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(openvdb_mesh_to_interior_mask)
-    ->ArgsProduct({{64, 256, 512, 1024}, {1, 2}})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(openvdb_mesh_to_level_set)->Apply(box_sides);
+BENCHMARK(openvdb_mesh_to_interior_mask)->Apply(box_sides);
 #endif
-BENCHMARK(patchmill_voxelise)
-    ->ArgsProduct({{64, 256, 512, 1024}, {1, 2}})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(patchmill_voxelise)->Apply(box_sides);
 
 }  // namespace
 }  // namespace patchmill

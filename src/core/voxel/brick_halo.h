@@ -28,6 +28,14 @@ struct alignas(64) BrickHalo {
   void clear() { std::fill(std::begin(value), std::end(value), T{}); }
 };
 
+/// Sum of the six neighbours of the cell at `c` in a halo, opposite ones paired: one order of additions, so that
+/// every kernel gets the same bits.
+template <class T>
+inline T sum_of_neighbours(const T* c) {
+  return ((c[-1] + c[1]) + (c[-BrickHalo<T>::kRow] + c[BrickHalo<T>::kRow])) +
+         (c[-BrickHalo<T>::kSlab] + c[BrickHalo<T>::kSlab]);
+}
+
 namespace detail {
 
 template <class T>

@@ -25,9 +25,7 @@ double brick_energy(const float* halo, const float* diagonal) {
       const float* c = halo + Halo::index(0, j, k);
       const float* d = diagonal + in_brick(0, j, k);
       for (int i = 0; i < kBrickSide; ++i) {
-        const float sum = ((c[i - 1] + c[i + 1]) + (c[i - Halo::kRow] + c[i + Halo::kRow])) +
-                          (c[i - Halo::kSlab] + c[i + Halo::kSlab]);
-        const float ap = d[i] > 0.0f ? d[i] * c[i] - sum : 0.0f;
+        const float ap = d[i] > 0.0f ? d[i] * c[i] - sum_of_neighbours(c + i) : 0.0f;
         lane[i] += static_cast<double>(c[i] * ap);
       }
     }
@@ -43,10 +41,8 @@ double brick_step(const float* halo, const float* diagonal, double alpha, double
       const float* c = halo + Halo::index(0, j, k);
       const int row = in_brick(0, j, k);
       for (int i = 0; i < kBrickSide; ++i) {
-        const float sum = ((c[i - 1] + c[i + 1]) + (c[i - Halo::kRow] + c[i + Halo::kRow])) +
-                          (c[i - Halo::kSlab] + c[i + Halo::kSlab]);
         const float d = diagonal[row + i];
-        const float ap = d > 0.0f ? d * c[i] - sum : 0.0f;
+        const float ap = d > 0.0f ? d * c[i] - sum_of_neighbours(c + i) : 0.0f;
         const float next = r[row + i] - a * ap;
         x[row + i] += alpha * static_cast<double>(c[i]);
         r[row + i] = next;
@@ -77,11 +73,8 @@ double brick_true_residual(const double* halo, const float* diagonal, float* r) 
       const double* c = halo + WideHalo::index(0, j, k);
       const int row = in_brick(0, j, k);
       for (int i = 0; i < kBrickSide; ++i) {
-        const double sum =
-            ((c[i - 1] + c[i + 1]) + (c[i - WideHalo::kRow] + c[i + WideHalo::kRow])) +
-            (c[i - WideHalo::kSlab] + c[i + WideHalo::kSlab]);
         const double d = static_cast<double>(diagonal[row + i]);
-        const double value = d > 0.0 ? sum - d * c[i] : 0.0;
+        const double value = d > 0.0 ? sum_of_neighbours(c + i) - d * c[i] : 0.0;
         r[row + i] = static_cast<float>(value);
         lane[i] += value * value;
       }

@@ -50,10 +50,8 @@ void brick_residual(const float* halo, const float* b, const float* diagonal, fl
       const float* c = halo + Halo::index(0, j, k);
       const int row = in_brick(0, j, k);
       for (int i = 0; i < kBrickSide; ++i) {
-        const float sum = ((c[i - 1] + c[i + 1]) + (c[i - Halo::kRow] + c[i + Halo::kRow])) +
-                          (c[i - Halo::kSlab] + c[i + Halo::kSlab]);
         const float d = diagonal[row + i];
-        residual[row + i] = d > 0.0f ? b[row + i] + sum - d * c[i] : 0.0f;
+        residual[row + i] = d > 0.0f ? b[row + i] + sum_of_neighbours(c + i) - d * c[i] : 0.0f;
       }
     }
 }
