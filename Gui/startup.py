@@ -42,8 +42,9 @@ def _attach_missing(document, name):
 
 
 def attach_view(obj):
-    """A view provider for a document object that PatchMill made, if FreeCAD shows it at all."""
-    if obj.ViewObject is None:
+    """A view provider for a document object that PatchMill made, if FreeCAD shows it at all. The prototypes
+    that the job's dialog makes for its setup sheet are no document objects and have no view."""
+    if getattr(obj, "ViewObject", None) is None:
         return
     from patchmill_gui import workbench
     from patchmill_gui.operation_views import attach_to

@@ -85,6 +85,17 @@ def active_document(document=None):
             FreeCAD.setActiveDocument(before.Name)
 
 
+def _list_own_posts():
+    """FreeCAD lists and loads the post-processors of certain folders, and knows no setting that adds one:
+    PatchMill's, beside this package, becomes one of them."""
+    folder = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    others = PathPreferences.searchPathsPost
+    PathPreferences.searchPathsPost = lambda: others() + [folder]
+
+
+_list_own_posts()
+
+
 def create_job(name, models):
     """A Job over `models` (document objects) as the GUI would make it, with one tool controller."""
     with active_document(models[0].Document if models else None):

@@ -18,12 +18,14 @@ _SETUP_KINDS = {
 
 def add(obj, properties, results=()):
     """Adds those that `obj` lacks: to a new object all, to one of an older version's document the new ones.
-    To the prototype that FreeCAD asks what a setup sheet may hold, only what that can be."""
+    To the prototype that FreeCAD asks what a setup sheet may hold, only what that can be, and without a
+    value: it has none until the user gives one."""
     prototype = not hasattr(obj, "TypeId")
     for kind, name, group, tip, default in of_setup_sheet(properties) if prototype else properties:
         if not hasattr(obj, name):
             obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
-            setattr(obj, name, default)  # a list sets an enumeration's choices
+            if not prototype or kind == ENUMERATION:
+                setattr(obj, name, default)  # a list sets an enumeration's choices
     for kind, name, group, tip in () if prototype else results:
         if not hasattr(obj, name):
             obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))

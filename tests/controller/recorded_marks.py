@@ -52,7 +52,6 @@ def make_operation(name, strategy, same_flute, extra_turns):
     """(job, operation) of one patch on the surface's corner."""
     _, part = run.make_document(STEP, name)
     job, op = run.make_job(part, 4)
-    job.PostProcessor = list(job.getEnumerationsOfProperty("PostProcessor")) + ["patchmill_linuxcnc"]
     job.PostProcessor = "patchmill_linuxcnc"
     job.PostProcessorArgs = "--precision=4"
     op.PatchSide, op.PatchesX, op.PatchesY = SIDE, 1, 1

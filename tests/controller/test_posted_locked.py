@@ -36,7 +36,6 @@ data["linear_axes"].update(acceleration_mm_s2=%(acceleration)f, velocity_mm_s=%(
 json.dump(data, open(os.path.join(%(folder)r, "simulated.json"), "w"))
 document, part = run.make_document(STEP)
 job, op = run.make_job(part, 4)
-job.PostProcessor = list(job.getEnumerationsOfProperty("PostProcessor")) + ["patchmill_linuxcnc"]
 job.PostProcessor = "patchmill_linuxcnc"
 job.PostProcessorArgs = "--precision=4"
 op.PatchesX, op.PatchesY = %(patches)r

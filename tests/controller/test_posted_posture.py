@@ -28,7 +28,6 @@ import make_parts
 from patchmill import CopyMilling, DressupDCM, host
 from test_copy_milling import job_with_stock
 document, job = job_with_stock(make_parts.convex_part(), 1.0)
-job.PostProcessor = list(job.getEnumerationsOfProperty("PostProcessor")) + ["patchmill_linuxcnc"]
 job.PostProcessor = "patchmill_linuxcnc"
 op = CopyMilling.Create("Copy", parentJob=job)
 op.Passes, op.RadialDepth = "Finishing", 20.0

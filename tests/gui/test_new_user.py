@@ -13,6 +13,7 @@ import driver
 import FreeCAD
 import FreeCADGui
 from patchmill_gui import resources
+from PySide import QtGui
 
 STEP = resources.path("recipes", "xu2016", "block.step")
 
@@ -35,6 +36,7 @@ class NewUser(unittest.TestCase):
         self.assertTrue(driver.ready(panel))
         panel.accept()
         self.assertTrue(driver.wait(lambda: not driver.panel_open()))
+        self.choose_post(document.getObject("Job"), "patchmill_linuxcnc")
         with tempfile.TemporaryDirectory() as folder:
             program = os.path.join(folder, "block.ngc")
             driver.answer_file_dialog(program)
@@ -49,6 +51,20 @@ class NewUser(unittest.TestCase):
         matches = [core.match_plan(s.path, plan.path, 0.0005).found for s in sections]
         self.assertEqual(max(matches), operation.DimpleCount)
         FreeCAD.closeDocument(document.Name)
+
+    def choose_post(self, job, name):
+        """In FreeCAD's own dialog of the job, with as many decimals as the operation is planned for."""
+        FreeCADGui.activeDocument().setEdit(job.Name)
+        self.assertTrue(driver.wait(driver.panel_open))
+        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QComboBox, "postProcessor")
+        (box,) = [b for b in boxes if b.findText(name) >= 0]
+        box.setCurrentIndex(box.findText(name))
+        (arguments,) = FreeCADGui.getMainWindow().findChildren(QtGui.QWidget, "postProcessorArguments")
+        arguments.setText("--precision=3")
+        panel = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+        [b for b in panel if b.isVisible()][-1].button(QtGui.QDialogButtonBox.Ok).click()
+        self.assertTrue(driver.wait(lambda: not driver.panel_open()))
+        self.assertEqual(job.PostProcessor, name)
 
     def report(self, folder):
         """The Report command, into the same folder."""

@@ -30,7 +30,6 @@ AIR, PART = 0, 1  # VoxelKind
 def textured_job():
     """(job, texture): 2 x 1 patches on the flank of the paper's convex part, with its axes from the field."""
     document, job = job_with_stock(make_parts.convex_part(), 1.0)
-    job.PostProcessor = list(job.getEnumerationsOfProperty("PostProcessor")) + ["patchmill_linuxcnc"]
     job.PostProcessor = "patchmill_linuxcnc"
     job.PostProcessorArgs = "--precision=4"
     patchmill.host.tool_controllers(job)[0].SpindleSpeed = SPEED

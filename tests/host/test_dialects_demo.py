@@ -52,7 +52,6 @@ class WholeDemo(unittest.TestCase):
         return job, op
 
     def program(self, job, op, post):
-        job.PostProcessor = list(job.getEnumerationsOfProperty("PostProcessor")) + [post]
         job.PostProcessor = post
         plan = patchmill.recompute(op)
         name = os.path.join(self.folder, "%s-%s.nc" % (post, "rotary" if plan.posture else "upright"))

@@ -37,7 +37,6 @@ def five_axis_job(machine, decimals=4):
     op.PostUnheld = True
     op.PostGouging = True
     post = POSTS.get(machine, "patchmill_linuxcnc")
-    job.PostProcessor = list(job.getEnumerationsOfProperty("PostProcessor")) + [post]
     job.PostProcessor = post
     job.PostProcessorArgs = "--precision=%d" % decimals
     return document, job, op

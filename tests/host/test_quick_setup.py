@@ -9,7 +9,7 @@ import unittest
 import FreeCAD
 import Part
 import patchmill
-from patchmill import host, quick_setup, texture_operation
+from patchmill import host, preferences, quick_setup, texture_operation
 
 
 class QuickSetup(unittest.TestCase):
@@ -47,6 +47,17 @@ class QuickSetup(unittest.TestCase):
         self.assertEqual(first.ToolController, second.ToolController)
         self.assertNotEqual(first.ToolController, end_mill)
         self.assertNotEqual(first.ToolController.ToolNumber, end_mill.ToolNumber)
+
+    def test_own_posts_are_in_a_new_jobs_list_once_and_can_be_the_preferred_one(self):
+        own = {"patchmill_%s" % name for name in ("fanuc", "heidenhain", "linuxcnc", "siemens")}
+        FreeCAD.ParamGet(preferences.PATH).SetString("Post", "patchmill_siemens")
+        self.addCleanup(FreeCAD.ParamGet(preferences.PATH).RemString, "Post")
+        self.texture(self.block)
+        (job,) = host.jobs()
+        listed = job.getEnumerationsOfProperty("PostProcessor")
+        self.assertLessEqual(own | {"linuxcnc", "fanuc"}, set(listed))
+        self.assertEqual(len(listed), len(set(listed)))
+        self.assertEqual(job.PostProcessor, "patchmill_siemens")
 
     def test_an_object_without_faces_is_named(self):
         line = self.document.addObject("Part::Line", "Line")

@@ -26,9 +26,6 @@ from recipe import small_job  # noqa: E402
 def locked_job(machine="linuxcnc-mill", strategy="Spindle-locked"):
     """A small job on the surface's steep corner, spindle-locked, with PatchMill's own post."""
     document, job, operation = small_job(4)
-    posts = list(job.getEnumerationsOfProperty("PostProcessor"))
-    if "patchmill_linuxcnc" not in posts:
-        job.PostProcessor = posts + ["patchmill_linuxcnc"]
     job.PostProcessor = "patchmill_linuxcnc"
     job.PostProcessorArgs = "--no-header --precision=4"
     operation.Origin = (-24, -24, 0)
