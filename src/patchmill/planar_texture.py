@@ -12,6 +12,7 @@ import _patchmill as core
 from patchmill import host
 from patchmill.operation import create, setup_properties
 from patchmill.texture_operation import ObjectTexture
+from patchmill.texture_results import FREE_FORM_RESULTS
 
 
 class ObjectPlanarTexture(ObjectTexture):
@@ -43,17 +44,7 @@ class ObjectPlanarTexture(ObjectTexture):
             0.0,
         ),
     ]
-    OWN_RESULTS = [
-        ("App::PropertyString", "MarkArray", "Result", "How marks of neighbouring passes stand"),
-        ("App::PropertyFloat", "PhaseDrift", "Result", "Predicted drift from pass to pass, in teeth"),
-        ("App::PropertyFloat", "MeasuredDrift", "Result", "The same, measured on the path"),
-        (
-            "App::PropertyFloat",
-            "PhaseMiss",
-            "Result",
-            "Largest difference of the phase measured on the path and predicted, in teeth",
-        ),
-    ]
+    OWN_RESULTS = FREE_FORM_RESULTS
 
     def patch_surface(self, obj):
         return core.PatchSurface(self.SURFACE, fit=obj.PlaneFit)

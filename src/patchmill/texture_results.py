@@ -1,4 +1,4 @@
-"""What a texture operation shows of its plan: the table of these properties, and their values.
+"""What a texture operation shows of its plan: the tables of these properties, and their values.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -33,6 +33,17 @@ RESULTS = [
         "Greatest angle of lattice directions, measured",
     ),
     ("App::PropertyVector", "FoundDirection", "Result", "Direction of the projection"),
+]
+FREE_FORM_RESULTS = [
+    ("App::PropertyString", "MarkArray", "Result", "How marks of neighbouring passes stand"),
+    ("App::PropertyFloat", "PhaseDrift", "Result", "Predicted drift from pass to pass, in teeth"),
+    ("App::PropertyFloat", "MeasuredDrift", "Result", "The same, measured on the path"),
+    (
+        "App::PropertyFloat",
+        "PhaseMiss",
+        "Result",
+        "Largest difference of the phase measured on the path and predicted, in teeth",
+    ),
 ]
 
 

@@ -35,6 +35,14 @@ def tilted_box(angle=30.0):
     return box, "Face%d" % (top + 1)
 
 
+def saved_and_reopened(document, name):
+    """(document, job) of a document that was saved as `name`, closed and opened again."""
+    document.saveAs(name)
+    FreeCAD.closeDocument(document.Name)
+    reopened = FreeCAD.openDocument(name)
+    return reopened, next(o for o in reopened.Objects if o.Name.startswith("Job"))
+
+
 class WithDocuments(unittest.TestCase):
     def tearDown(self):
         for name in list(FreeCAD.listDocuments()):

@@ -22,7 +22,7 @@ import FreeCAD  # noqa: E402
 import make_parts  # noqa: E402
 import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
-from milling_jobs import distance_off, distance_to_lines, native, trace  # noqa: E402
+from milling_jobs import contact_off, distance_to_lines, native, trace  # noqa: E402
 from patchmill import CopyMilling, DressupDCM  # noqa: E402
 from test_copy_milling import deepest_at, job_with_stock  # noqa: E402
 
@@ -70,7 +70,7 @@ class OnItsPath(unittest.TestCase):
         dressup.VoxelSize = 1.0
         result = DressupDCM.recompute(dressup)
         base, out = trace(self.operation.Path.Commands), trace(dressup.Path.Commands)
-        off = max(distance_off(out[0], base[0], base[1]), distance_off(base[0], out[0], out[1]))
+        off = contact_off(self.operation, dressup)
         print("3D Surface (%s): %d commands -> %d, contact off by %.2g um; %.0f s -> %.0f s" % (
             "drop-cutter of the tests" if STAND_IN else "OpenCAMLib", len(self.operation.Path.Commands),
             len(dressup.Path.Commands), 1000 * off, result.base_seconds, result.seconds))  # fmt: skip

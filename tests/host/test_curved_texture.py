@@ -16,6 +16,7 @@ import Part
 import patchmill
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from parts import saved_and_reopened  # noqa: E402
 from recipe import STEP, make_part, run, small_job  # noqa: E402
 
 
@@ -27,6 +28,10 @@ class WithFolder(unittest.TestCase):
 
     def path(self, name):
         return str(pathlib.Path(self.folder.name) / name)
+
+    def assert_same_bytes(self, one, other):
+        one, other = (pathlib.Path(self.path(name)).read_bytes() for name in (one, other))
+        self.assertEqual(one, other)
 
     def close_documents(self):
         for name in list(FreeCAD.listDocuments()):
@@ -157,29 +162,21 @@ class TheDocument(WithFolder):
         document, job, operation = small_job()
         patchmill.recompute(operation)
         patchmill.post(job, self.path("before.ngc"))
-        document.saveAs(self.path("d.FCStd"))
-        FreeCAD.closeDocument(document.Name)
-        reopened = FreeCAD.openDocument(self.path("d.FCStd"))
+        reopened, job = saved_and_reopened(document, self.path("d.FCStd"))
         operation = reopened.getObject(operation_name(reopened))
-        job = [o for o in reopened.Objects if o.Name.startswith("Job")][0]
         self.assertEqual(operation.PatchSide, 6)
         operation.touch()
         reopened.recompute()
         patchmill.post(job, self.path("after.ngc"))
-        with open(self.path("before.ngc"), "rb") as a, open(self.path("after.ngc"), "rb") as b:
-            self.assertEqual(a.read(), b.read())
+        self.assert_same_bytes("before.ngc", "after.ngc")
 
     def test_reopened_without_recompute_posts_the_same_bytes(self):
         document, job, operation = small_job()
         patchmill.recompute(operation)
         patchmill.post(job, self.path("before.ngc"))
-        document.saveAs(self.path("d.FCStd"))
-        FreeCAD.closeDocument(document.Name)
-        reopened = FreeCAD.openDocument(self.path("d.FCStd"))
-        job = [o for o in reopened.Objects if o.Name.startswith("Job")][0]
+        _, job = saved_and_reopened(document, self.path("d.FCStd"))
         patchmill.post(job, self.path("after.ngc"))
-        with open(self.path("before.ngc"), "rb") as a, open(self.path("after.ngc"), "rb") as b:
-            self.assertEqual(a.read(), b.read())
+        self.assert_same_bytes("before.ngc", "after.ngc")
 
     def test_left_out_dimples_are_reported_by_reason(self):
         document, job, operation = small_job()

@@ -13,32 +13,18 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
-from milling_jobs import (  # noqa: E402
-    CONTACT,
-    HIGH,
-    LOW,
-    add_pocket,
-    add_profile,
-    distance_off,
-    dress,
-    make_job,
-    pocket_part,
-    trace,
-)
+from milling_jobs import CONTACT, HIGH, LOW, contact_off, trace  # noqa: E402
+from milling_jobs import add_pocket, add_profile, dress, make_job, pocket_part  # noqa: E402
 from parts import WithDocuments  # noqa: E402
 from patchmill import DressupDCM, InputError  # noqa: E402
 
 
 class OnFreeCADsOwn(WithDocuments):
     def check_contact(self, operation, dressup):
-        base = trace(operation.Path.Commands)
-        out = trace(dressup.Path.Commands)
-        there = distance_off(out[0], base[0], base[1])
-        back = distance_off(base[0], out[0], out[1])
-        print("%s: %d commands -> %d, off by %.2g and %.2g um" % (
-            operation.Name, len(operation.Path.Commands), len(dressup.Path.Commands),
-            1000 * there, 1000 * back))
-        self.assertLess(max(there, back), CONTACT)
+        off = contact_off(operation, dressup)
+        print("%s: %d commands -> %d, off by %.2g um" % (
+            operation.Name, len(operation.Path.Commands), len(dressup.Path.Commands), 1000 * off))
+        self.assertLess(off, CONTACT)
 
     def check_feed(self, operation, dressup):
         points, tangents, feeds = trace(dressup.Path.Commands)

@@ -20,6 +20,7 @@ import patchmill
 from patchmill import machines
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from parts import saved_and_reopened  # noqa: E402
 from recipe import small_job  # noqa: E402
 
 
@@ -114,10 +115,7 @@ class SpindleLocked(WithMachines):
         document, job, operation = locked_job()
         patchmill.recompute(operation)
         patchmill.post(job, self.path("a.ngc"))
-        document.saveAs(self.path("d.FCStd"))
-        FreeCAD.closeDocument(document.Name)
-        reopened = FreeCAD.openDocument(self.path("d.FCStd"))
-        job = [o for o in reopened.Objects if o.Name.startswith("Job")][0]
+        _, job = saved_and_reopened(document, self.path("d.FCStd"))
         patchmill.post(job, self.path("b.ngc"), "patchmill_linuxcnc")
         a, b = (pathlib.Path(self.path(n)).read_bytes() for n in ("a.ngc", "b.ngc"))
         self.assertEqual(a, b)

@@ -17,17 +17,8 @@ import FreeCAD  # noqa: E402
 import numpy as np  # noqa: E402
 import Part  # noqa: E402
 import patchmill  # noqa: E402
-from milling_jobs import (  # noqa: E402
-    CONTACT,
-    HIGH,
-    LOW,
-    add_profile,
-    distance_off,
-    dress,
-    make_job,
-    pocket_part,
-    trace,
-)
+from milling_jobs import CONTACT, HIGH, LOW, contact_off  # noqa: E402
+from milling_jobs import add_profile, dress, make_job, pocket_part  # noqa: E402
 from parts import WithDocuments  # noqa: E402
 from patchmill import DressupDCM, InputError, voxel_slices  # noqa: E402
 
@@ -102,8 +93,7 @@ class Attributes(WithDocuments):
         # all of the stock lies above 1000 mm deep; the part of the profile in the air keeps its feed
         self.assertGreater(half.seconds, 1.3 * plain.seconds)
         self.assertLess(half.seconds, 2.0 * plain.seconds + 1e-9)
-        base, out = trace(self.operation.Path.Commands), trace(dressup.Path.Commands)
-        self.assertLess(distance_off(out[0], base[0], base[1]), CONTACT)
+        self.assertLess(contact_off(self.operation, dressup), CONTACT)
 
     def test_saved_and_made_anew(self):
         with tempfile.TemporaryDirectory() as folder:
