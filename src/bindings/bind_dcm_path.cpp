@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
+#include "core/copy/chosen_faces.h"
 #include "core/copy/copy_milling.h"
 #include "core/copy/live_session.h"
 #include "core/copy/plunge_feed.h"
@@ -184,6 +185,18 @@ void bind_copy(py::module_& m) {
       "cannot be "
       "reached from above and were left out). If progress(share) returns False: what was done so "
       "far.");
+  m.def(
+      "over_faces",
+      [](const ToolPath& path, const Solid& part, const Solid& faces, const CopyOptions& options,
+         const py::object& progress) {
+        const Progress report = progress_of(progress);
+        const py::gil_scoped_release release;
+        return over_faces(path, part.bvh, faces.bvh, options, report);
+      },
+      py::arg("path"), py::arg("part"), py::arg("faces"), py::arg("options"),
+      py::arg("progress") = py::none(),
+      "Of a path that copy_mill made of `part` with `options`, the cuts on which the ball works on "
+      "`faces`; all else is left out. If progress(share) returns False: what was done so far.");
   m.def("with_plunge_feed", &with_plunge_feed, py::arg("path"), py::arg("vertical"),
         py::call_guard<py::gil_scoped_release>(),
         "The path with no timed move going down faster than `vertical` [mm/s].");

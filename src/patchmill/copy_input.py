@@ -38,6 +38,11 @@ class CopyInput:
     face_count: int = 0
 
     @property
+    def chosen(self):
+        """How many faces, in words."""
+        return "1 face" if self.face_count == 1 else "%d faces" % self.face_count
+
+    @property
     def last_radial(self):
         """Distance of the lines of the last pass."""
         own = self.finishing_radial
@@ -49,7 +54,7 @@ def input_of(obj):
     tool, *cutting = _cutting(obj.ToolController)
     _check(obj, tool)
     job = made_from.job_of(obj)
-    faces = [base.Shape.getElement(n) for base, names in obj.Base for n in names if n]
+    faces = _faces(obj)
     return CopyInput(
         obj.Mode,
         obj.Passes,
@@ -66,6 +71,15 @@ def input_of(obj):
         _compound(faces) if faces else "",
         len(faces),
     )
+
+
+def _faces(obj):
+    """The faces in Base. Raises InputError if there is anything else."""
+    chosen = [(base, name) for base, names in obj.Base for name in names if name]
+    for base, name in chosen:
+        if not name.startswith("Face"):
+            raise InputError("Base", "%s of %s" % (name, base.Label), "choose faces, or nothing.")
+    return [base.Shape.getElement(name) for base, name in chosen]
 
 
 def _compound(faces):

@@ -20,6 +20,7 @@ from patchmill.copy_input import MODES, PASSES, CopyInput, input_of
 from patchmill.operation import BallEndOperation, create, setup_properties
 from patchmill.operation import recompute  # noqa: F401  for macros: it returns the ToolPath
 
+CUT = 2  # kind of a move of a ToolPath
 OVERLAP = 0.87  # of the ball's radius that lines go beyond the stock: slopes up to 60 degrees are finished
 PROPERTIES = [
     ("App::PropertyEnumeration", "Mode", "Copy", "Lines in planes along X, or contours at levels", MODES),
@@ -95,8 +96,8 @@ def remarks(made):
 def mill(given, progress=None):
     """CopiedPath of a CopyInput; None if `progress` (share -> bool) returned False. Raises InputError naming
     the property."""
-    stock, part = solids(given)
-    low, high = _to_cut(stock, part)
+    stock, part, faces = solids(given)
+    low, high = _to_cut(stock, faces or part)
     _check_heights(given, low, high)
     jobs = []  # (radial depth, axial depth, allowance) of each pass
     if given.passes != "Finishing":
@@ -108,12 +109,17 @@ def mill(given, progress=None):
     made, lost = [], 0
     for number, depths in enumerate(jobs):
         asked = _Asked(progress, number, len(jobs))
-        path, missing = core.copy_mill(part, _options(given, low, high, *depths), asked)
+        options = _options(given, low, high, *depths)
+        path, missing = core.copy_mill(part, options, asked)
+        if faces is not None and not asked.stopped:
+            path = core.over_faces(path, part, faces, options, asked)
         if asked.stopped:
             return None
         made.append(path)
         lost += missing
     path = core.with_plunge_feed(core.joined(made), given.plunge_feed)
+    if faces is not None and not (path.kinds == CUT).any():
+        raise InputError("Base", given.chosen, "the ball reaches none of them from above.")
     return CopiedPath(path, lost, given)
 
 
@@ -132,12 +138,15 @@ class _Asked:
 
 def live_options(given):
     """(_patchmill.CopyOptions, part as _patchmill.Solid) of a CopyInput, for patchmill.live."""
-    stock, part = solids(given)
+    stock, part, faces = solids(given)
+    if faces is not None:
+        raise InputError("Base", given.chosen, "live, choose the whole model.")
     return _options(given, *_to_cut(stock, part), given.radial, given.axial, 0.0), part
 
 
 def _to_cut(stock, part):
-    """Low and high corner of the stock's box; the stock below the part is not for this operation."""
+    """Low and high corner of the stock's box; the stock below `part`, the model or the chosen faces, is not
+    for this operation."""
     low, high = stock.bounds
     low[2] = max(low[2], part.bounds[0][2])
     return low, high
@@ -155,18 +164,16 @@ def _needs_finishing(given):
 
 
 def solids(given):
-    """(stock, part) of a CopyInput as _patchmill.Solid: the part is the faces chosen, or the model."""
+    """(stock, part, faces) of a CopyInput as _patchmill.Solid; faces: those chosen, or None."""
     deflection = 0.25 * given.tolerance
     stock = core.solid_of_brep(given.stock, max(deflection, 0.01), "Stock")
     undercut = given.mode == "Scanning with undercuts"
-    if not given.faces:
-        part = core.solid_of_brep(given.model, deflection, "Model", undercut)
-    elif undercut:
-        raise InputError("Base", "%d faces" % given.face_count, "with undercuts choose the whole model.")
-    else:
-        part = core.solid_of_brep(given.faces, deflection, "Base", False)
+    if given.faces and undercut:
+        raise InputError("Base", given.chosen, "with undercuts choose the whole model.")
+    part = core.solid_of_brep(given.model, deflection, "Model", undercut)
     _check_inside(stock.bounds, part.bounds)
-    return stock, part
+    faces = core.solid_of_brep(given.faces, deflection, "Base", False) if given.faces else None
+    return stock, part, faces
 
 
 def _check_inside(stock, part):

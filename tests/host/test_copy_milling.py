@@ -136,20 +136,53 @@ class CopyMillingTest(WithDocuments):
         operation, last = self.mill(job, Passes="Finishing", FinishingRadialDepth=2.0, **kwargs)
         self.assertLess(last.statistics()["cut_length_mm"], both.statistics()["cut_length_mm"])
 
-    def test_faces_alone(self):
+    def test_chosen_faces_and_nothing_else(self):
         shape = pocket_part()
         document, job = job_with_stock(shape, 1.0)
         model = job.Model.Group[0]
-        whole, path = self.mill(job, RadialDepth=4.0)
-        boxes = {n: f.BoundBox for n, f in enumerate(model.Shape.Faces, 1)}
-        level = [n for n, b in boxes.items() if b.ZLength < 1e-6 and b.ZMin > 1]
-        floor = min(level, key=lambda n: boxes[n].ZMin)
-        operation = CopyMilling.Create("Faces", parentJob=job)
-        operation.Base = [(model, ["Face%d" % floor])]
-        operation.RadialDepth = 4.0
-        faces = CopyMilling.recompute(operation)
-        lowest = (faces.tips[faces.kinds == 2, 2]).min()
-        self.assertAlmostEqual(lowest, model.Shape.Faces[floor - 1].BoundBox.ZMin, delta=0.01)
+        levels = {}  # of its level faces and its round wall: whether the ball gets there, and how low
+        for number, face in enumerate(model.Shape.Faces, 1):
+            box = face.BoundBox
+            if box.ZLength < 1e-6:
+                levels[number] = box.ZMin > 1, box.ZMin
+            elif box.ZMin > 1:
+                levels[number] = True, None
+        self.assertEqual(len(levels), 4)
+        for mode in CopyMilling.MODES[:2]:
+            for number, (reached, height) in levels.items():
+                operation = CopyMilling.Create("Faces", parentJob=job)
+                operation.Base = [(model, ["Face%d" % number])]
+                operation.RadialDepth, operation.Mode = 1.0, mode
+                if not reached:
+                    with self.assertRaises(InputError) as caught:
+                        CopyMilling.recompute(operation)
+                    self.assertEqual(caught.exception.property, "Base")
+                    continue
+                path = CopyMilling.recompute(operation)
+                gouge = deepest_gouge(model.Shape, path, 0.3)
+                print("%s, face %d: deepest gouge %.4f mm" % (mode, number, gouge))
+                self.assertLessEqual(gouge, TOLERANCE)
+                cuts = path.tips[path.kinds == 2]
+                if height is not None:  # the ball rolls over an edge by 60 degrees
+                    self.assertGreaterEqual(cuts[:, 2].min(), height - 0.5 * RADIUS - 0.05)
+                if height == 12.0:  # the pocket's floor: within its wall, and all of it
+                    out = np.hypot(cuts[:, 0] - 30.0, cuts[:, 1] - 20.0)
+                    self.assertLessEqual(out[cuts[:, 2] < 17.0].max(), 12.0 - RADIUS + 0.02)
+                    low = cuts[cuts[:, 2] < 12.01]
+                    self.assertGreater(np.ptp(low[:, 0]), 2 * (12.0 - RADIUS) - 0.2)
+                    self.assertGreater(np.ptp(low[:, 1]), 2 * (12.0 - RADIUS) - 2.2)
+
+    def test_base_is_faces(self):
+        document, job = job_with_stock(pocket_part(), 1.0)
+        operation = CopyMilling.Create("Edge", parentJob=job)
+        operation.Base = [(job.Model.Group[0], ["Edge1"])]
+        with self.assertRaises(InputError) as caught:
+            CopyMilling.recompute(operation)
+        self.assertEqual(caught.exception.property, "Base")
+        operation.Base = [(job.Model.Group[0], ["Face2"])]
+        with self.assertRaises(InputError) as caught:
+            patchmill.live.start(operation, 2.0, 400 / 60, 800 / 60)
+        self.assertEqual(caught.exception.property, "Base")
 
     def test_goes_down_no_faster_than_the_tool_controller_says(self):
         document, job = job_with_stock(pocket_part(), 1.0)

@@ -130,6 +130,30 @@ ClosestPoint closest_point(const TriangleBvh& bvh, const Vec3& p, double reach) 
   return best;
 }
 
+bool is_over(const TriangleBvh& bvh, const Vec3& p, double reach, double least) {
+  std::int32_t stack[64];
+  int top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const BvhNode& node = bvh.nodes()[stack[--top]];
+    if (box_distance_squared(node, p) > reach * reach) continue;
+    if (node.count == 0) {
+      stack[top++] = node.first;
+      stack[top++] = node.first + 1;
+      continue;
+    }
+    for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+      const Triangle& t = bvh.triangles()[i];
+      const Vec3 w = closest_weights(t, p);
+      const Vec3 way = p - (w[0] * t.a + w[1] * t.b + w[2] * t.c);
+      const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
+      if (way.norm() <= reach && std::abs(normal.dot(way)) >= least * normal.norm() * way.norm())
+        return true;
+    }
+  }
+  return false;
+}
+
 std::vector<double> line_crossings(const TriangleBvh& bvh, double y, double z) {
   std::vector<double> found;
   std::int32_t stack[64];

@@ -48,6 +48,10 @@ struct ClosestPoint {
 ClosestPoint closest_point(const TriangleBvh& bvh, const Vec3& p,
                            double reach = std::numeric_limits<double>::infinity());
 
+/// Whether a triangle of the mesh is no further than `reach` [mm] from `p` in a direction within the angle
+/// whose cosine is `least` of its normal, on either side: over it, not beyond its edge.
+bool is_over(const TriangleBvh& bvh, const Vec3& p, double reach, double least);
+
 /// The x [mm] at which the line (y, z) parallel to the x axis crosses the mesh, ascending. For a
 /// closed mesh the number is even and the line is inside between the 1st and 2nd, the 3rd and
 /// 4th...: a line through an edge or a vertex counts each passage once (see parity.h).
