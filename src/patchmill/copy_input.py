@@ -11,7 +11,8 @@ from _patchmill import InputError
 
 from patchmill import host, made_from, removal_model, tool_controller
 
-MODES = ["Scanning", "Contour", "Scanning with undercuts"]
+UNDERCUTS = "Scanning with undercuts"
+MODES = ["Scanning", "Contour", UNDERCUTS]
 PASSES = ["Roughing and finishing", "Roughing", "Finishing"]
 
 

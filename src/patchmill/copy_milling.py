@@ -16,10 +16,12 @@ import FreeCAD
 from _patchmill import InputError
 
 from patchmill import host
-from patchmill.copy_input import MODES, PASSES, CopyInput, input_of
+from patchmill.copy_input import MODES, PASSES, UNDERCUTS, CopyInput, input_of
 from patchmill.operation import BallEndOperation, create, setup_properties
 from patchmill.operation import recompute  # noqa: F401  for macros: it returns the ToolPath
 
+LEAST_HEIGHT = 1e-3  # mm of stock that is looked at, over a face at its top
+NOTHING_THERE = "there is nothing to cut on them, or the ball does not reach them from above."
 CUT = 2  # kind of a move of a ToolPath
 OVERLAP = 0.87  # of the ball's radius that lines go beyond the stock: slopes up to 60 degrees are finished
 PROPERTIES = [
@@ -84,7 +86,7 @@ class CopiedPath:
 def remarks(made):
     """Sentences on what a user should know of a CopiedPath before it is cut."""
     given, said = made.asked, []
-    if given.mode == MODES[2]:
+    if given.mode == UNDERCUTS:
         said.append("an upright shank would cut the overhang: put a DCM modifier with posture on it.")
     if given.last_radial > 2.0 * given.tool.radius:
         said.append("the lines are further apart than the tool is wide: ridges stay between them.")
@@ -119,7 +121,7 @@ def mill(given, progress=None):
         lost += missing
     path = core.with_plunge_feed(core.joined(made), given.plunge_feed)
     if faces is not None and not (path.kinds == CUT).any():
-        raise InputError("Base", given.chosen, "the ball reaches none of them from above.")
+        raise InputError("Base", given.chosen, NOTHING_THERE)
     return CopiedPath(path, lost, given)
 
 
@@ -148,7 +150,7 @@ def _to_cut(stock, part):
     """Low and high corner of the stock's box; the stock below `part`, the model or the chosen faces, is not
     for this operation."""
     low, high = stock.bounds
-    low[2] = max(low[2], part.bounds[0][2])
+    low[2] = min(max(low[2], part.bounds[0][2]), high[2] - LEAST_HEIGHT)
     return low, high
 
 
@@ -167,7 +169,7 @@ def solids(given):
     """(stock, part, faces) of a CopyInput as _patchmill.Solid; faces: those chosen, or None."""
     deflection = 0.25 * given.tolerance
     stock = core.solid_of_brep(given.stock, max(deflection, 0.01), "Stock")
-    undercut = given.mode == "Scanning with undercuts"
+    undercut = given.mode == UNDERCUTS
     if given.faces and undercut:
         raise InputError("Base", given.chosen, "with undercuts choose the whole model.")
     part = core.solid_of_brep(given.model, deflection, "Model", undercut)

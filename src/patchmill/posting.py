@@ -16,6 +16,8 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill import checks, host, post_probe, strategies, tool_posture
+from patchmill.copy_input import UNDERCUTS
+from patchmill.dressup_dcm import DressupDCM
 from patchmill.texture_operation import ObjectTexture, planned
 
 
@@ -48,7 +50,10 @@ def post(job, filename, post_name=None, arguments=None):
     for op, plan in zip(textures, plans):
         _check_verdict(op, plan)
         _check_arguments(post_name, plan, shlex.split(arguments))
-    _check_post(post_name, plans)
+    tilted = [dressup for op in operations if (dressup := posture_of(op)) is not None]
+    if tilted:
+        require_millimetres(tilted[0].Label, shlex.split(arguments))
+    _check_post(post_name, plans, tilted)
     text = _single_text(job, post_name, arguments)
     own = own_dialect(post_name)
     posted = _read_back(text, textures, plans, own.dialect if own else "linuxcnc")
@@ -73,6 +78,9 @@ def _active_operations(job):
             if part is not op and isinstance(part.Proxy, ObjectTexture):
                 remedy = "it would change a texture's path, which is its timing: take it away."
                 raise InputError(op.Label, part.Label, remedy)
+            if getattr(part, "Mode", "") == UNDERCUTS and posture_of(op) is None:
+                remedy = "an upright shank would cut the overhang: put a DCM modifier with posture on %s."
+                raise InputError("Mode", UNDERCUTS, remedy % part.Label)
     if not operations:
         raise InputError("Operations", "none", "the job has no active operation.")
     return operations
@@ -83,6 +91,12 @@ def _with_those_under(op):
     while hasattr(op, "Proxy"):
         yield op
         op = getattr(op, "Base", None)
+
+
+def posture_of(op):
+    """The DressupDCM that tilts the tool, `op` or under it; None for an upright path."""
+    found = (part for part in _with_those_under(op) if isinstance(part.Proxy, DressupDCM))
+    return next((dressup for dressup in found if dressup.Controls != "Feed"), None)
 
 
 def _check_verdict(op, plan):
@@ -98,9 +112,14 @@ def _check_verdict(op, plan):
     )
 
 
-def _check_arguments(post_name, plan, arguments):
+def require_millimetres(what, arguments):
+    """Posts scale the F of inverse time, which are no lengths, and what is read back is in millimetres."""
     if "--inches" in arguments:
-        raise InputError("PostProcessorArgs", "--inches", "textures are posted in millimetres.")
+        raise InputError("PostProcessorArgs", "--inches", "%s is posted in millimetres." % what)
+
+
+def _check_arguments(post_name, plan, arguments):
+    require_millimetres("a texture", arguments)
     own = own_dialect(post_name)
     precision = own.precision(shlex.join(arguments)) if own else 3
     for i, argument in enumerate(arguments):
@@ -117,17 +136,19 @@ def _check_arguments(post_name, plan, arguments):
         )
 
 
-def _check_post(post_name, plans):
+def _check_post(post_name, plans, tilted):
     """A post that would lose words which the paths need is refused before it gets them. It is tried, once in
     a session; the program that it posts is read back all the same."""
     if own_dialect(post_name):
         return
     angles = [np.degrees(p.posture.work.joints) for p in plans if p.posture is not None]
+    angles += [_angles_in(dressup) for dressup in tilted]
     needs = {
         "rotary": bool(angles),
         "turning_far": any(np.abs(a).max() > 360.0 for a in angles),
         "locked": any(p.input.strategy == strategies.LOCKED for p in plans),
-        "inverse": any("G93" in str(p.pacing.text) for p in plans if p.posture is not None),
+        "inverse": any("G93" in str(p.pacing.text) for p in plans if p.posture is not None)
+        or bool(tilted),
     }
     if not any(needs.values()):
         return
@@ -135,6 +156,12 @@ def _check_post(post_name, plans):
     if missing:
         remedy = "%s: use one of PatchMill's own posts." % "; ".join(missing)
         raise InputError("PostProcessor", post_name, remedy)
+
+
+def _angles_in(dressup):
+    """The rotary words of its path [degrees]."""
+    words = (command.Parameters.items() for command in dressup.Path.Commands)
+    return np.array([value for pairs in words for name, value in pairs if name in "ABC"] or [0.0])
 
 
 @functools.lru_cache(maxsize=None)
@@ -155,7 +182,7 @@ def own_dialect(post_name):
 def _single_text(job, post_name, arguments):
     try:
         parts = host.post_parts(job, post_name, arguments)
-    except Exception as error:  # a post-processor is FreeCAD's or somebody's: it may fail in any way
+    except (Exception, SystemExit) as error:  # somebody's program: it may fail in any way
         remedy = "it failed (%s: %s): use another post-processor." % (type(error).__name__, error)
         raise InputError("PostProcessor", post_name, remedy) from error
     if len(parts) != 1:

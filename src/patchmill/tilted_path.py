@@ -12,8 +12,11 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill import machines
+from patchmill.base_path import CYCLES
 
 RAPID = 0
+# words that would end inverse time or TCP on the way, or have a feed of their own
+NOT_TILTED = CYCLES | {"G49", "G94", "M6", "M06"}
 CENTRE_ERROR = 0.0005  # mm
 MOST_HALVINGS = 12
 BLEND = 0.0005  # mm: LinuxCNC may round corners by so much, and does
@@ -87,9 +90,17 @@ def remade(path, tips, axes, kinds, turns):
     return core.make_path(path.tool, path.spindle, path.start, tips, axes, list(kinds), list(turns))
 
 
+def _require_tiltable(commands):
+    for command in commands:
+        if command.Name in NOT_TILTED:
+            remedy = "it cannot be with a tilted tool, whose moves are in inverse time: set Controls to Feed."
+            raise InputError("Base", command.Name, remedy)
+
+
 def write(base, path, source, joints, machine, make_command):
     """The commands of `base` with the tilted moves in place of its own. `source`: number of the base's move
     for each move of the path; `joints` as with_angles gives them."""
+    _require_tiltable(base.commands)
     letters = machine.rotary_letters
     degrees = np.degrees(joints)[1:, : len(letters)]
     seconds = path.turns / path.spindle.speed

@@ -47,6 +47,18 @@ class BasePath(WithDocuments):
             base = base_path.read(commands(drill))
             self.assertEqual(base.tips, [(10.0, 5.0, height)])
 
+    def test_what_cannot_be_with_a_tilted_tool(self):
+        document, job = make_job(pocket_part(), "drill", ball=True)
+        operation = native("Custom").Create("Custom", parentJob=job)
+        dressup = dress(operation, Controls="Posture", Machine="table-table-ac")
+        for line in ("G81 X5 Y5 Z2 R25 F5", "G94", "G49", "M6"):
+            operation.Gcode = BEGIN + [line, "G1 X10 Y5 Z20 F5"]
+            with self.assertRaises(InputError) as caught:
+                DressupDCM.recompute(dressup)
+            self.assertEqual((caught.exception.property, caught.exception.value), ("Base", line.split()[0]))
+        operation.Gcode = BEGIN + ["G1 X10 Y5 Z20 F5"]
+        DressupDCM.recompute(dressup)
+
     def test_no_spiral_in_place_of_an_arc_by_its_radius(self):
         document, job = make_job(pocket_part(), "custom")
         operation = native("Custom").Create("Custom", parentJob=job)
