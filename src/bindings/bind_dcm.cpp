@@ -5,9 +5,10 @@
 #include "bindings/voxel_materials.h"
 #include "brep/read_shape.h"
 #include "brep/tessellate.h"
+#include "core/dcm/field_reader.h"
 #include "core/dcm/field_view.h"
 #include "core/dcm/voxel_file.h"
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/voxel/transient.h"
 #include "core/voxel/voxelise.h"
 
@@ -98,6 +99,9 @@ py::array_t<T> image(const GridSection& s, const std::vector<T>& values) {
 
 py::dict section_dict(const VoxelGrid& grid, int axis, double place, const FeedField* feed,
                       const Vec3& direction, const PostureField* posture) {
+  if (feed) require_over(grid, *feed);
+  if (posture) require_over(grid, *posture);
+  const Vec3 along = unit_along("Direction", direction);
   const GridSection s = section_of(grid, axis, place);
   py::dict d;
   std::vector<std::uint8_t> kinds;
@@ -106,7 +110,7 @@ py::dict section_dict(const VoxelGrid& grid, int axis, double place, const FeedF
   d["origin"] = s.origin;
   d["pitch"] = s.pitch;
   d["place"] = s.place;
-  if (feed) d["feed"] = image(s, feed_on(s, *feed, direction));
+  if (feed) d["feed"] = image(s, feed_on(s, *feed, along));
   if (posture)
     d["axis"] = rows_of(axes_on(s, *posture), [](const Vec3& v) {
                   return v;
@@ -115,6 +119,7 @@ py::dict section_dict(const VoxelGrid& grid, int axis, double place, const FeedF
 }
 
 py::tuple arrows_tuple(const VoxelGrid& grid, const PostureField& posture, int stride) {
+  require_over(grid, posture);
   const auto arrows = arrows_of(grid, posture, stride);
   return py::make_tuple(rows_of(arrows, [](const FieldArrow& a) { return a.place; }),
                         rows_of(arrows, [](const FieldArrow& a) { return a.axis; }));
@@ -208,6 +213,8 @@ void bind_grid(py::module_& m) {
       "save_voxels",
       [](const std::string& path, const std::string& key, const VoxelGrid& grid,
          const PostureField* posture, const VoxelMaterials* materials) {
+        if (posture) require_over(grid, *posture);
+        if (materials) require_over(grid, materials->number);
         VoxelModel model{grid, std::nullopt, {}};
         if (posture) model.posture = *posture;
         if (materials) model.material = materials->number;

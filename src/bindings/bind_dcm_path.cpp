@@ -9,7 +9,7 @@
 #include "core/dcm/air_cuts.h"
 #include "core/dcm/apply_dcm.h"
 #include "core/dcm/clear_axis.h"
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 
 namespace patchmill {
 namespace {
@@ -22,6 +22,12 @@ ToolPath make_path(const BallEndMill& tool, const Spindle& spindle, const Vec3& 
   const auto n = static_cast<std::size_t>(tips.rows());
   if (kinds.size() != n || turns.size() != n || (axes && axes->rows() != tips.rows()))
     throw InputError("path", "arrays of different length", "give one row for each move.");
+  constexpr double kFarthest = 1e6;  // mm
+  if (!(start.cwiseAbs().maxCoeff() <= kFarthest) ||
+      (n > 0 && !(tips.cwiseAbs().maxCoeff() <= kFarthest)) || !start.allFinite() ||
+      !tips.allFinite())
+    throw InputError("path", "a tip that is not finite, or far off",
+                     "keep within 1e6 mm of the work's zero.");
   ToolPath path;
   path.tool = tool;
   path.spindle = spindle;
@@ -29,7 +35,10 @@ ToolPath make_path(const BallEndMill& tool, const Spindle& spindle, const Vec3& 
   for (std::size_t i = 0; i < n; ++i) {
     Move move;
     move.end.tip = tips.row(static_cast<Eigen::Index>(i));
-    if (axes) move.end.axis = axes->row(static_cast<Eigen::Index>(i)).normalized();
+    if (axes) move.end.axis = unit_along("axes", axes->row(static_cast<Eigen::Index>(i)));
+    if (turns[i] < 0.0 || std::isinf(turns[i]))
+      throw InputError("turns", std::to_string(turns[i]),
+                       "give 0 or more, or NaN where nobody knows.");
     if (kinds[i] > 2) throw InputError("kind", std::to_string(kinds[i]), "give 0, 1 or 2.");
     move.kind = static_cast<MoveKind>(kinds[i]);
     move.turns = turns[i];
@@ -202,8 +211,16 @@ void bind_copy(py::module_& m) {
         "The path with no timed move going down faster than `vertical` [mm/s].");
   m.def("joined", &joined, py::arg("paths"),
         "Paths one after the other, a rapid between; tool and spindle are the first one's.");
-  m.def("scallop_height", &scallop_height, py::arg("radius"), py::arg("cross_feed"),
-        "Ridge on a flat between passes [mm].");
+  m.def(
+      "scallop_height",
+      [](double radius, double cross_feed) {
+        require_positive("BallRadius", radius, "mm");
+        require_in_range("CrossFeed", cross_feed, 0.0, 1e6, "mm");
+        return scallop_height(radius, cross_feed);
+      },
+      py::arg("radius"), py::arg("cross_feed"),
+      "Ridge on a flat between passes [mm]; the radius where the ball does not reach between "
+      "them.");
 }
 
 LiveConditions changed(const LiveConditions& now, const std::optional<double>& radial,
@@ -255,7 +272,9 @@ void bind_dcm_path(py::module_& m) {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   m.def("make_path", &make_path, py::arg("tool"), py::arg("spindle"), py::arg("start"),
         py::arg("tips"), py::arg("axes"), py::arg("kinds"), py::arg("turns"),
-        "ToolPath from arrays as ToolPath gives them; `axes` may be None for an upright tool.");
+        "ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an "
+        "upright tool, "
+        "kinds, spindle turns or NaN. Raises InputError naming path, axes, kind or turns.");
   m.def("apply_dcm", &apply, py::arg("path"), py::arg("grid"), py::arg("feed"), py::arg("posture"),
         py::arg("part") = nullptr, py::arg("holder") = Sections(), py::arg("clearance") = 1.0,
         py::arg("lowest") = kPi / 2, py::arg("reading") = "Smooth",

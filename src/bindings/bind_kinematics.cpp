@@ -3,13 +3,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/machine/programmed_path.h"
 
 #include <optional>
 
 namespace patchmill {
 namespace {
+
+Joints finite(const Joints& joints) {
+  require_finite("Joints", Vec2(joints[0], joints[1]), "rad");
+  return joints;
+}
+
+const Vec3& finite(const Vec3& point) {
+  require_finite("Point", point, "mm");
+  return point;
+}
 
 Kinematics kinematics_of(const Vec3& lowest, const Vec3& highest, const Vec3& work_zero) {
   Kinematics machine;
@@ -40,12 +50,14 @@ void add_rotary(Kinematics& machine, const std::string& letter, const std::strin
 py::dict plan_dict(const Kinematics& machine, const Points& axes,
                    const py::array_t<bool, py::array::forcecast>& clear, double pole_tolerance) {
   std::vector<AxisTarget> targets;
+  if (clear.ndim() != 1)
+    throw InputError("clear", std::to_string(clear.ndim()) + " dimensions", "give an (n,) array.");
   const auto flag = clear.unchecked<1>();
   const std::vector<Vec3> directions = points_of(axes, "axes");
   if (static_cast<std::size_t>(flag.shape(0)) != directions.size())
     throw InputError("clear", std::to_string(flag.shape(0)), "give one for each axis.");
   for (std::size_t i = 0; i < directions.size(); ++i)
-    targets.push_back({directions[i].normalized(), flag(static_cast<py::ssize_t>(i))});
+    targets.push_back({unit_along("axes", directions[i]), flag(static_cast<py::ssize_t>(i))});
   JointPlan plan;
   {
     const py::gil_scoped_release release;
@@ -91,24 +103,42 @@ void bind_machine_chain(py::module_& m) {
                                for (const RotaryAxis& axis : machine.rotary) letters += axis.letter;
                                return letters;
                              })
-      .def("tool_axis", &tool_axis, py::arg("joints"), "Unit tool axis in the work frame.")
+      .def(
+          "tool_axis",
+          [](const Kinematics& machine, const Joints& joints) {
+            return tool_axis(machine, finite(joints));
+          },
+          py::arg("joints"), "Unit tool axis in the work frame, from tip to holder.")
       .def(
           "contact_azimuth",
           [](const Kinematics& machine, const Joints& joints, const Vec3& normal) {
-            return contact_azimuth(machine, joints, normal);
+            return contact_azimuth(machine, finite(joints), unit_along("normal", normal));
           },
-          py::arg("joints"), py::arg("normal"))
+          py::arg("joints"), py::arg("normal"),
+          "Azimuth [rad] of the contact point as seen from the housing; `normal` in the work "
+          "frame.")
       .def(
           "solve_axis",
           [](const Kinematics& machine, const Vec3& axis) {
             std::vector<Joints> all;
-            for (const AxisSolution& s : solve_axis(machine, axis.normalized()))
+            for (const AxisSolution& s : solve_axis(machine, unit_along("axis", axis)))
               all.push_back(s.joints);
             return all;
           },
           py::arg("axis"), "Both ways to point the tool along `axis`, without limits and turns.")
-      .def("pivot_referred", &pivot_referred, py::arg("point"), py::arg("joints"))
-      .def("in_work_frame", &in_work_frame, py::arg("linear"), py::arg("joints"));
+      .def(
+          "pivot_referred",
+          [](const Kinematics& machine, const Vec3& point, const Joints& joints) {
+            return pivot_referred(machine, finite(point), finite(joints));
+          },
+          py::arg("point"), py::arg("joints"),
+          "What X Y Z are told without TCP for a programmed point of the work frame [mm].")
+      .def(
+          "in_work_frame",
+          [](const Kinematics& machine, const Vec3& linear, const Joints& joints) {
+            return in_work_frame(machine, finite(linear), finite(joints));
+          },
+          py::arg("linear"), py::arg("joints"), "The inverse of pivot_referred [mm].");
 }
 
 void bind_form(py::module_& m) {

@@ -83,6 +83,7 @@ auto translated(const Call& call) -> decltype(call()) {
 Verdict judge_plan(const std::function<ToolPath(const Spindle&)>& plan, const Dimples& dimples,
                    const BallEndMill& tool, const Spindle& spindle, const PhaseRule& rule,
                    const MotionModel& model) {
+  if (!plan) throw InputError("Plan", "None", "give a function from Spindle to ToolPath.");
   const auto plan_in_cpp = [&](const Spindle& s) { return translated([&] { return plan(s); }); };
   return judge(plan_in_cpp, spindle, model, wanted_phases(dimples, rule, spindle),
                phase_period(tool.flutes, rule.flutes));

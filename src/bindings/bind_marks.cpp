@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "brep/face_sampler.h"
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/machine/kinematics.h"
 #include "core/marks/alignment.h"
 #include "core/marks/machine_motion.h"
@@ -51,7 +51,7 @@ ToolMotion motion_of_samples(const Eigen::VectorXd& time, const Rows3& tips,
     sample.time = time[i];
     sample.tip = tips.row(i);
     sample.spindle_angle = angle[i];
-    if (axes) sample.axis = Vec3(axes->row(i)).normalized();
+    if (axes) sample.axis = unit_along("Axis", axes->row(i));
   }
   return motion_of(samples, spindle.sense, radius);
 }
@@ -59,6 +59,8 @@ ToolMotion motion_of_samples(const Eigen::VectorXd& time, const Rows3& tips,
 /// What the heights are measured from: faces, the planes of patches, or the texture plane (None).
 BaseMaker base_maker(const py::object& base, const TexturePlane& plane, double reach) {
   if (base.is_none()) return {};
+  if (!py::isinstance<Dimples>(base) && !py::isinstance<FaceSampler>(base))
+    throw InputError("Base", py::str(base), "give a FaceSampler, Dimples or None.");
   if (py::isinstance<Dimples>(base))
     return base_of_patches(base.cast<const Dimples&>(), plane, reach);
   const FaceSampler* sampler = base.cast<const FaceSampler*>();  // outlives the call
@@ -85,8 +87,8 @@ TextureMarks simulate(const ToolMotion& motion, const BallEndMill& tool, const T
 py::tuple surface(const TextureMarks& marks, const py::object& base, double reach, int row,
                   int rows, int column, int columns, int stride) {
   const SurfaceGrid& grid = marks.grid;
-  if (stride < 1 || row < 0 || column < 0 || rows < 1 || columns < 1 || row + rows > grid.rows ||
-      column + columns > grid.columns)
+  if (stride < 1 || row < 0 || column < 0 || rows < 1 || columns < 1 || row > grid.rows - rows ||
+      column > grid.columns - columns)
     throw InputError("Block", "outside the relief", "give rows and columns of the relief.");
   SurfaceGrid block;
   block.plane = grid.plane;
@@ -149,8 +151,7 @@ py::dict alignment_dict(const Rows2& places, const Vec2& feed, double feed_per_t
                         double cross_feed) {
   std::vector<Vec2> list;
   for (Eigen::Index i = 0; i < places.rows(); ++i) list.emplace_back(places.row(i));
-  const AlignmentResult result =
-      classify_alignment(list, {feed.normalized(), feed_per_tooth, cross_feed});
+  const AlignmentResult result = classify_alignment(list, {feed, feed_per_tooth, cross_feed});
   py::dict d;
   d["state"] = name(result.state);
   d["shift"] = result.shift;
@@ -173,6 +174,7 @@ void bind_motion(py::module_& m) {
   m.def(
       "housing_x",
       [](const Kinematics& machine, const Rows2& joints) {
+        if (!joints.allFinite()) throw InputError("Joints", "not finite", "give finite angles.");
         std::vector<Vec3> x;
         for (Eigen::Index i = 0; i < joints.rows(); ++i)
           x.push_back(housing_to_work(machine, {joints(i, 0), joints(i, 1)}) * Vec3::UnitX());

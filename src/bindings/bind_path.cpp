@@ -10,6 +10,7 @@ namespace {
 Spindle spindle_of(double speed, const std::string& sense) {
   if (sense != "M3" && sense != "M4")
     throw InputError("SpindleDirection", "'" + sense + "'", "give M3 or M4.");
+  require_positive("SpindleSpeed", speed * 60.0, "rpm");
   return {speed, sense == "M3" ? SpindleSense::M3 : SpindleSense::M4};
 }
 
@@ -30,8 +31,10 @@ py::dict statistics_dict(const ToolPath& path) {
 }  // namespace
 
 void bind_path(py::module_& m) {
-  py::class_<BallEndMill>(m, "BallEndMill", "Ball radius [mm] and number of flutes.")
+  py::class_<BallEndMill>(m, "BallEndMill", "Ball radius [mm], > 0, and number of flutes, 1 to 32.")
       .def(py::init([](double radius, int flutes) {
+             require_positive("BallRadius", radius, "mm");
+             require_in_range("Flutes", flutes, 1, 32, "flutes");
              return BallEndMill{radius, flutes};
            }),
            py::arg("radius"), py::arg("flutes"))
@@ -41,7 +44,7 @@ void bind_path(py::module_& m) {
            })
       .def_readonly("radius", &BallEndMill::radius)
       .def_readonly("flutes", &BallEndMill::flutes);
-  py::class_<Spindle>(m, "Spindle", "Speed [revolutions per second] and sense, 'M3' or 'M4'.")
+  py::class_<Spindle>(m, "Spindle", "Speed [revolutions per second], > 0, and sense, 'M3' or 'M4'.")
       .def(py::init(&spindle_of), py::arg("speed"), py::arg("sense"))
       .def("__eq__", [](const Spindle& a,
                         const Spindle& b) { return a.speed == b.speed && a.sense == b.sense; })

@@ -70,6 +70,8 @@ PathText rotary_text(const PosturePath& told, const std::string& letters, const 
 
 ToolPath section_in_work(const ProgramSection& section, const Kinematics& machine,
                          const ProgramForm& form) {
+  if (section.angles.size() != section.path.moves.size() + 1)
+    throw InputError("Section", "without rotary words", "read the program with rotary=True.");
   PosturePath read{section.path, {}};
   for (const auto& angles : section.angles) {
     Joints q{};

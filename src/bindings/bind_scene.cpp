@@ -2,7 +2,7 @@
 // Coin's node names are global in the process, so big arrays never become Python lists.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/path/tool_path.h"
 #include "scene/colours.h"
 #include "scene/dimple_nodes.h"
@@ -41,11 +41,17 @@ std::vector<Vec3> vectors_of(const Rows& rows) {
   return vectors;
 }
 
+void require_scale(double low, double high) {
+  require_finite("low", low, "");
+  require_finite("high", high, "");
+}
+
 HeldDisplay grid_display_of(const Array& points, const Array& values, double low, double high) {
   if (points.ndim() != 3 || points.shape(2) != 3 || values.ndim() != 2 ||
       values.shape(0) != points.shape(0) || values.shape(1) != points.shape(1))
     throw InputError("points", "an array of another shape",
                      "give points as (rows, columns, 3) and values as (rows, columns).");
+  require_scale(low, high);
   scene::Grid grid;
   grid.rows = static_cast<std::size_t>(points.shape(0));
   grid.columns = static_cast<std::size_t>(points.shape(1));
@@ -84,6 +90,8 @@ void bind_fields(py::module_& m) {
       "slice_display",
       [](const Rows& centres, const std::vector<double>& values, double side, int axis, double low,
          double high) {
+        require_scale(low, high);
+        require_positive("side", side, "mm");
         return HeldDisplay{
             scene::slice_display(vectors_of(centres), values, side, axis, low, high)};
       },
@@ -93,6 +101,8 @@ void bind_fields(py::module_& m) {
       "arrow_display",
       [](const Rows& places, const Rows& vectors, double scale, const std::vector<double>& values,
          double low, double high) {
+        require_scale(low, high);
+        require_finite("scale", scale, "");
         return HeldDisplay{scene::arrow_display(vectors_of(places), vectors_of(vectors), scale,
                                                 values, low, high)};
       },
@@ -108,6 +118,7 @@ void bind_texture_displays(py::module_& m) {
   m.def(
       "dimple_display",
       [](const Dimples& dimples, double radius) {
+        require_positive("radius", radius, "mm");
         return HeldDisplay{scene::dimple_display(dimples, radius)};
       },
       py::arg("dimples"), py::arg("radius"), released,
@@ -115,6 +126,7 @@ void bind_texture_displays(py::module_& m) {
   m.def(
       "order_display",
       [](const Dimples& dimples, double spacing) {
+        require_positive("spacing", spacing, "mm");
         return HeldDisplay{scene::order_display(dimples, spacing)};
       },
       py::arg("dimples"), py::arg("spacing"), released,
@@ -143,6 +155,7 @@ void bind_scene(py::module_& m) {
   m.def(
       "path_axis_display",
       [](const ToolPath& path, double length, std::size_t most) {
+        require_positive("length", length, "mm");
         return HeldDisplay{scene::path_axis_display(path, length, most)};
       },
       py::arg("path"), py::arg("length"), py::arg("most") = 2000, released,

@@ -1,6 +1,7 @@
 // Phase and path generation for Python. Angles in radians.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
+#include "core/geometry/require.h"
 #include "core/sync/constant_feed.h"
 #include "core/sync/contact_azimuth.h"
 #include "core/sync/phase_error.h"
@@ -38,13 +39,14 @@ void bind_sync(py::module_& m) {
   m.def(
       "mark_tool_tip",
       [](Dimples& dimples, const Vec3& axis, double least_tilt) {
-        mark_tool_tip(dimples, axis.normalized(), Angle::radians(least_tilt));
+        mark_tool_tip(dimples, axis, Angle::radians(least_tilt));
       },
       py::arg("dimples"), py::arg("axis"), py::arg("least_tilt"),
       "Leaves out dimples whose normal is nearer to the tool axis than `least_tilt` [rad].");
   m.def(
       "tilts",
-      [](const Dimples& dimples, const Vec3& axis) {
+      [](const Dimples& dimples, const Vec3& given) {
+        const Vec3 axis = unit_along("axis", given);
         return column_of<double>(
             dimples, [&](const Dimple& d) { return tilt(d.surface.normal, axis).radians(); });
       },

@@ -4,6 +4,7 @@
 #include "bindings/solid.h"
 #include "bindings/voxel_materials.h"
 #include "core/dcm/field_reader.h"
+#include "core/geometry/require.h"
 
 namespace patchmill {
 namespace {
@@ -21,6 +22,7 @@ VoxelMaterials make_materials(const VoxelGrid& grid,
 // Zero rows where the field has no axis.
 py::array_t<double> axes_at(const VoxelGrid& grid, const PostureField& posture,
                             const Points& points) {
+  require_over(grid, posture);
   std::vector<Vec3> axes;
   {
     const py::gil_scoped_release release;
@@ -33,10 +35,11 @@ py::array_t<double> axes_at(const VoxelGrid& grid, const PostureField& posture,
 py::array_t<double> feed_at(const VoxelGrid& grid, const FeedField& feed, const Points& points,
                             const Vec3& direction) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  require_over(grid, feed);
+  const Vec3 d = unit_along("Direction", direction);
   std::vector<double> values;
   {
     const py::gil_scoped_release release;
-    const Vec3 d = direction.normalized();
     for (Eigen::Index i = 0; i < points.rows(); ++i)
       values.push_back(read_feed(grid, feed, points.row(i), d).value_or(kNone));
   }
@@ -58,6 +61,7 @@ py::array_t<std::uint8_t> kinds_at(const VoxelGrid& grid, const Points& points) 
 
 py::array_t<int> materials_at(const VoxelGrid& grid, const VoxelMaterials& materials,
                               const Points& points) {
+  require_over(grid, materials.number);
   std::vector<int> found;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const Cell cell = cell_of(grid, points.row(i));

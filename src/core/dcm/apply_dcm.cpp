@@ -202,7 +202,10 @@ void limit_acceleration(ToolPath& path, double acceleration) {
           std::max(path.moves[i].turns, path.spindle.speed * length[i] / speed[i]);
 }
 
-void check(const ToolPath& path, const FeedField* feed, const DcmOptions& options) {
+void check(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
+           const PostureField* posture, const DcmOptions& options) {
+  if (feed) require_over(grid, *feed);
+  if (posture) require_over(grid, *posture);
   require_positive("tool radius", path.tool.radius, "mm");
   require_positive("spindle speed", path.spindle.speed, "1/s");
   require_positive("feed tolerance", options.feed_tolerance, "mm/s");
@@ -224,7 +227,7 @@ void check(const ToolPath& path, const FeedField* feed, const DcmOptions& option
 ToolPath apply_dcm(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
                    const PostureField* posture, const DcmOptions& options,
                    std::vector<std::int64_t>* source) {
-  check(path, feed, options);
+  check(path, grid, feed, posture, options);
   if (source) source->clear();
   ToolPath out = Divider(path, grid, feed, posture, options).run(source);
   if (feed) limit_acceleration(out, options.acceleration);

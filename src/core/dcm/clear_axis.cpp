@@ -132,15 +132,15 @@ Vec3 turned(const Vec3& axis, const Vec3& towards, double angle) {
 }
 
 void check(const std::vector<HolderSection>& holder, const ClearOptions& o) {
-  require_positive("holder clearance", o.clearance, "mm");
-  require_positive("holder resolution", o.resolution, "mm");
+  require_in_range("holder clearance", o.clearance, 1e-9, 1e4, "mm");
+  require_in_range("holder resolution", o.resolution, 1e-6, 1e4, "mm");
   require_in_range("yielding", o.most.degrees(), 1e-3, 180.0, "degrees");
   require_in_range("lowest axis", o.lowest.degrees(), 1e-3, 180.0, "degrees");
   for (const HolderSection& s : holder) {
-    require_positive("holder section", s.from, "mm");
-    require_positive("height of holder section", s.to - s.from, "mm");
-    require_in_range("radius of holder section", std::min(s.radius_from, s.radius_to), 0.0, 1e4,
-                     "mm");
+    require_in_range("holder section", s.from, 1e-9, 1e4, "mm");
+    require_in_range("height of holder section", s.to - s.from, 1e-9, 1e4, "mm");
+    for (const double radius : {s.radius_from, s.radius_to})
+      require_in_range("radius of holder section", radius, 0.0, 1e4, "mm");
   }
 }
 
@@ -183,7 +183,7 @@ ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& 
 PathClearance path_clearance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
                              const ToolPath& path, const ClearOptions& options, double step) {
   check(holder, options);
-  require_positive("step", step, "mm");
+  require_in_range("step", step, 1e-3, 1e6, "mm");
   PathClearance out;
   out.least = 2.0 * options.clearance;
   ToolPose from = path.start;

@@ -18,14 +18,14 @@
 namespace patchmill {
 
 struct ClearOptions {
-  double clearance = 1.0;             ///< that is kept between holder and part [mm], > 0
-  double resolution = 0.05;           ///< to which distances are found [mm], > 0
+  double clearance = 1.0;             ///< that is kept between holder and part [mm], > 0, <= 1e4
+  double resolution = 0.05;           ///< to which distances are found [mm], 1e-6 .. 1e4
   Angle most = Angle::degrees(90);    ///< that the axis may yield, in (0, 180] degrees
   Angle lowest = Angle::degrees(90);  ///< greatest angle of the axis to +z, in (0, 180] degrees
 };
 
 /// Smallest distance [mm] of the sections from the part, to the resolution; 0 if they reach into it; no
-/// more than `enough`, beyond which nothing is looked for.
+/// more than `enough`, beyond which nothing is looked for. Options and sections are not checked.
 double holder_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
                        const Vec3& centre, const Vec3& axis, double resolution, double enough);
 
@@ -40,8 +40,8 @@ struct ClearAxis {
 ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& holder,
                      const Vec3& centre, const Vec3& wanted, const ClearOptions& options = {});
 
-/// Where a path comes too near: every timed move is looked at in steps of at most `step` [mm] of the tip and
-/// 1 degree of the axis.
+/// Where a path comes too near: every timed move is looked at in steps of at most `step` [mm, 1e-3 .. 1e6] of
+/// the tip and 1 degree of the axis. Errors: InputError naming the step, an option or a section out of range.
 struct PathClearance {
   double least = 0.0;         ///< smallest distance found [mm], no more than twice the clearance
   std::int64_t move = -1;     ///< the move where it is

@@ -107,6 +107,7 @@ std::vector<CellRole> roles(const VoxelGrid& grid, ExteriorRule rule) {
 }
 
 std::vector<double> initial_feed(const VoxelGrid& grid, const FeedLimits& limits) {
+  require_limits(limits);
   std::vector<double> field(grid.kind.size(), 0.0);
   for (std::size_t i = 0; i < field.size(); ++i) {
     const VoxelKind kind = grid.kind[i];

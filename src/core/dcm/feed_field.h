@@ -44,7 +44,7 @@ FeedField steady_feed(const VoxelGrid& grid, const FeedLimits& limits,
 /// What each voxel is to the solvers. Surface voxels are held; exterior ones by the rule.
 std::vector<CellRole> roles(const VoxelGrid& grid, ExteriorRule rule);
 
-/// Values before diffusion: V_Lo at surface voxels, V_Hi elsewhere in the removal volume.
+/// Values before diffusion: V_Lo at surface voxels, V_Hi elsewhere in the removal volume. Errors: as steady_feed.
 std::vector<double> initial_feed(const VoxelGrid& grid, const FeedLimits& limits);
 
 /// V in a direction; `d` is a unit vector, v the values of V_x, V_y, V_z [mm/s].

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/dcm/field_reader.h"
 
+#include "core/geometry/require.h"
+
 #include <cmath>
 
 namespace patchmill {
@@ -44,6 +46,16 @@ ReadingStencil reading_stencil(const VoxelGrid& grid, const Vec3& p, Reading rea
   stencil.air /= sum;
   for (int i = 0; i < stencil.size; ++i) stencil.weight[i] /= sum;
   return stencil;
+}
+
+void require_over(const VoxelGrid& grid, const FeedField& feed) {
+  for (const auto& along : feed.along)
+    require_one_each("FeedField", along.size(), grid.table.cell_count(), "voxels of the grid");
+}
+
+void require_over(const VoxelGrid& grid, const PostureField& posture) {
+  for (const auto& value : posture.value)
+    require_one_each("PostureField", value.size(), grid.table.cell_count(), "voxels of the grid");
 }
 
 std::optional<double> read_feed(const VoxelGrid& grid, const FeedField& feed, const Vec3& p,

@@ -37,7 +37,13 @@ struct ReadingStencil {
   }
 };
 
+/// The stencil at `p` [mm]; of a point off the box or not finite all is air.
 ReadingStencil reading_stencil(const VoxelGrid& grid, const Vec3& p, Reading reading);
+
+/// Errors: InputError naming FeedField or PostureField if the field was made over another grid: one that stores
+/// another number of voxels. The readers below do not look.
+void require_over(const VoxelGrid& grid, const FeedField& feed);
+void require_over(const VoxelGrid& grid, const PostureField& posture);
 
 /// Feed [mm/s] at `p` [mm] in the unit direction d; nothing in the middle of the part.
 std::optional<double> read_feed(const VoxelGrid& grid, const FeedField& feed, const Vec3& p,

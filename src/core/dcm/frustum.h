@@ -12,8 +12,8 @@ namespace patchmill {
 
 /// A frustum about the tool axis.
 struct HolderSection {
-  double from = 0.0, to = 0.0;                ///< heights above the ball centre [mm], 0 < from < to
-  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], >= 0
+  double from = 0.0, to = 0.0;  ///< heights above the ball centre [mm], 0 < from < to, <= 1e4 long
+  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e4
 };
 
 struct SignedDistance {

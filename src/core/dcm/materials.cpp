@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/dcm/materials.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/voxel/row_bits.h"
 
 #include <cmath>
@@ -55,6 +55,10 @@ std::vector<std::uint8_t> materials_of(const VoxelGrid& grid,
   return material;
 }
 
+void require_over(const VoxelGrid& grid, const std::vector<std::uint8_t>& material) {
+  require_one_each("Materials", material.size(), grid.table.cell_count(), "voxels of the grid");
+}
+
 void scale_feed(FeedField& feed, const std::vector<std::uint8_t>& material,
                 const std::vector<double>& factor) {
   for (const double f : factor)
@@ -64,6 +68,8 @@ void scale_feed(FeedField& feed, const std::vector<std::uint8_t>& material,
     if (m >= factor.size())
       throw InputError("Materials", fmt::format("{} factors", factor.size()),
                        "give one for the stock and one for each material.");
+  for (auto& along : feed.along)
+    require_one_each("Materials", material.size(), along.size(), "voxels of the field");
   for (auto& along : feed.along)
     for (std::size_t i = 0; i < material.size(); ++i) along[i] *= factor[material[i]];
 }

@@ -27,8 +27,13 @@ struct MaterialBody {
 std::vector<std::uint8_t> materials_of(const VoxelGrid& grid,
                                        const std::vector<MaterialBody>& bodies);
 
+/// Errors: InputError naming Materials if the numbers were made over another grid: one that stores another number
+/// of voxels.
+void require_over(const VoxelGrid& grid, const std::vector<std::uint8_t>& material);
+
 /// Multiplies the feed of each voxel by the factor of its material; factor[0] is that of the stock's own.
-/// Errors: InputError naming Materials if a factor is missing, or not above zero and finite.
+/// Errors: InputError naming Materials if a factor is missing, or not above zero and finite, or if the numbers
+/// are of another grid than the field.
 void scale_feed(FeedField& feed, const std::vector<std::uint8_t>& material,
                 const std::vector<double>& factor);
 

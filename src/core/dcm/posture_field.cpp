@@ -68,6 +68,7 @@ std::vector<Vec3> surface_normals(const VoxelGrid& grid, const TriangleMesh& par
 PostureField steady_posture(const VoxelGrid& grid, const TriangleMesh& part, const TriangleBvh& bvh,
                             const PostureOptions& options, const Progress& progress) {
   require_in_range("posture limit", options.limit.degrees(), 0.1, 89.0, "degrees");
+  require_in_range("crease", options.crease.degrees(), 0.0, 180.0, "degrees");
   const std::vector<double> upright = boundary_values(options, Vec3::UnitZ());
   const std::size_t cells = grid.kind.size();
   std::vector<std::vector<double>> field;

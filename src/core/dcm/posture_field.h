@@ -32,8 +32,9 @@ enum class PostureForm {
 struct PostureOptions {
   PostureForm form = PostureForm::Angles;
   ExteriorRule exterior = ExteriorRule::Held;
-  Angle limit = Angle::degrees(70);   ///< of theta and of phi, in (0, 90) degrees
-  Angle crease = Angle::degrees(30);  ///< normals are smoothed over edges flatter than this
+  Angle limit = Angle::degrees(70);  ///< of theta and of phi, 0.1 .. 89 degrees
+  Angle crease =
+      Angle::degrees(30);  ///< normals are smoothed over edges flatter than this, 0 .. 180
   LaplaceOptions solver;
 };
 
@@ -60,7 +61,8 @@ Vec3 posture_axis(const PostureAngles& angles);
 std::vector<Vec3> surface_normals(const VoxelGrid& grid, const TriangleMesh& part,
                                   const TriangleBvh& bvh, Angle crease);
 
-/// The steady posture. Errors: InputError for an option out of range.
+/// The steady posture. `part` is closed, `bvh` over it. If `progress` asks for a stop, or the solver does not
+/// converge, `outcome` says so and the axes are the last ones. Errors: InputError for an option out of range.
 PostureField steady_posture(const VoxelGrid& grid, const TriangleMesh& part, const TriangleBvh& bvh,
                             const PostureOptions& options = {}, const Progress& progress = {});
 

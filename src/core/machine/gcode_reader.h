@@ -53,7 +53,7 @@ struct PlanMatch {
 };
 
 /// Gives the moves of `read` the kinds and dimple numbers of `plan`, by going through both in order
-/// and pairing moves whose ends are within `tolerance` [mm].
+/// and pairing moves whose ends are within `tolerance` [mm]. Errors: InputError naming Tolerance (0 .. 1e6).
 PlanMatch match_plan(ToolPath& read, const ToolPath& plan, double tolerance);
 
 }  // namespace patchmill

@@ -3,7 +3,7 @@
 #include "core/machine/joint_plan.h"
 
 #include "core/geometry/angle.h"
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 
 #include <cmath>
 
@@ -223,6 +223,8 @@ class Planner {
 JointPlan plan_joints(const Kinematics& machine, const std::vector<AxisTarget>& targets,
                       double pole_tolerance) {
   require_valid(machine);
+  require_in_range("PoleTolerance", pole_tolerance, 0.0, 0.1, "rad");
+  for (const AxisTarget& target : targets) require_finite("ToolAxis", target.axis, "");
   return Planner(machine, targets, pole_tolerance).plan();
 }
 

@@ -27,9 +27,9 @@ struct JointPlan {
   double travel = 0.0;         ///< sum over both axes [rad]
 };
 
-/// Angles for all targets in order. `pole_tolerance` [rad]: where holding the first axis changes the
+/// Angles for all targets in order. `pole_tolerance` [rad, 0 .. 0.1]: where holding the first axis changes the
 /// tool axis by no more than this, it is held. An impossible target is an outcome, not an error.
-/// Errors: InputError of require_valid.
+/// Errors: InputError of require_valid, or naming PoleTolerance or ToolAxis (not finite).
 JointPlan plan_joints(const Kinematics& machine, const std::vector<AxisTarget>& targets,
                       double pole_tolerance = 1e-9);
 
@@ -53,6 +53,7 @@ struct AxisLoad {
   std::size_t overtravel_move = 0;
   char overtravel_axis = ' ';
 };
+/// `machine`: with the tool length of the programmed point (with_tool).
 AxisLoad axis_load(const Kinematics& machine, const PosturePath& posture);
 
 }  // namespace patchmill

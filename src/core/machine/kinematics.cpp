@@ -3,7 +3,7 @@
 #include "core/machine/kinematics.h"
 
 #include "core/geometry/angle.h"
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 
 #include <cmath>
 
@@ -97,6 +97,8 @@ void require_valid(const Kinematics& machine) {
       throw InputError(place + "/letter", std::string(1, axis.letter), "give each axis its own.");
     if (!(std::abs(axis.direction.norm() - 1.0) < 1e-9))
       throw InputError(place + "/direction", direction, "give a vector other than zero.");
+    if (!axis.point.allFinite())
+      throw InputError(place + "/point_mm", "not finite", "give three finite numbers.");
     if (!(axis.lowest < axis.highest))
       throw InputError(place + "/limits_degrees",
                        fmt::format("[{:g}, {:g}]", Angle::radians(axis.lowest).degrees(),
@@ -117,6 +119,8 @@ void require_valid(const Kinematics& machine) {
                        fmt::format("it is parallel to axis {}: two parallel rotary axes are one.",
                                    axes[0].letter));
   }
+  require_finite("work_zero_mm", machine.work_zero, "mm");
+  require_finite("tool_length", machine.tool_length, "mm");
   if (!(machine.lowest.array() < machine.highest.array()).all())
     throw InputError("linear_limits_mm", "lower limit above the upper one",
                      "give the lower limit first.");

@@ -54,13 +54,16 @@ struct Kinematics {
 /// Errors: InputError; the property is the place in a machine file: "rotary_axes" (more than two, no
 /// letter A B C, one letter twice), "rotary_axes/1/direction" (no unit vector; parallel to the other
 /// axis, or to the tool for the one nearest to it: such an axis adds no direction),
-/// "rotary_axes/0/limits_degrees".
+/// "rotary_axes/0/point_mm" (not finite), "/limits_degrees" (the lower one not first), "/velocity_deg_s",
+/// "/acceleration_deg_s2" (not above zero), "linear_limits_mm", "work_zero_mm", "tool_length".
 void require_valid(const Kinematics& machine);
+
+// What follows takes a machine that is valid and joints that are finite, and does not look.
 
 /// Rotation from the spindle housing to the work that the rotary axes make: R_wm transposed.
 Mat3 housing_to_work(const Kinematics& machine, const Joints& joints);
 
-/// Unit tool axis in the work frame.
+/// Unit tool axis in the work frame, from tip to holder.
 Vec3 tool_axis(const Kinematics& machine, const Joints& joints);
 
 /// Azimuth of the contact point about the spindle, alpha = atan2(-n'_y, -n'_x), n' = R_wm n [rad]

@@ -1,5 +1,6 @@
 // Comparing a path that was read back with its plan; see gcode_reader.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/geometry/error.h"
 #include "core/machine/gcode_reader.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 namespace patchmill {
 
 PlanMatch match_plan(ToolPath& read, const ToolPath& plan, double tolerance) {
+  require_in_range("Tolerance", tolerance, 0.0, 1e6, "mm");
   PlanMatch match;
   match.complete = true;
   std::size_t r = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/machine/programmed_path.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 
 #include <cmath>
 
@@ -34,6 +34,7 @@ double bend(const Kinematics& machine, const Vec3& a, const Joints& qa, const Ve
 
 Kinematics with_tool(const Kinematics& machine, double tool_length, const ProgramForm& form,
                      const BallEndMill& tool) {
+  require_finite("ToolLength", tool_length, "mm");
   Kinematics out = machine;
   out.tool_length =
       tool_length - (form.reference == ReferencePoint::BallCentre ? tool.radius : 0.0);
@@ -51,6 +52,7 @@ int split_parts(const Kinematics& machine, const ProgramForm& form, MoveKind kin
 PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
                        const ProgramForm& form) {
   require_positive("Chord", form.chord, "mm");
+  require_in_range("ChordClear", form.chord_clear, 0.0, 1e6, "mm");
   const double radius = posture.path.tool.radius;
   PosturePath out{posture.path, {posture.joints.at(0)}};
   out.path.moves.clear();

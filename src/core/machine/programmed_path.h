@@ -21,17 +21,18 @@ struct ProgramForm {
   double chord_clear = 0.0;  ///< the same of links, which are clear of the part; 0: as chord [mm]
 };
 
-/// Kinematics with the tool length that belongs to the reference point. `tool_length`: to the tip [mm].
+/// Kinematics with the tool length that belongs to the reference point. `tool_length`: from the gauge
+/// point to the tip [mm]. Errors: InputError naming ToolLength (not finite).
 Kinematics with_tool(const Kinematics& machine, double tool_length, const ProgramForm& form,
                      const BallEndMill& tool);
 
-/// Into how many parts programmed() splits a move of `kind` between two programmed points.
+/// Into how many parts programmed() splits a move of `kind` between two programmed points: 1 to 10,000.
 int split_parts(const Kinematics& machine, const ProgramForm& form, MoveKind kind, const Vec3& from,
                 const Joints& from_joints, const Vec3& to, const Joints& to_joints);
 
 /// `posture` with the programmed points in place of the tips; its axes and turns stay. Without TCP,
 /// moves may be split; a part has its share of the turns, and only the last part ends on the dimple.
-/// `machine`: with_tool(). Errors: InputError naming Chord (not positive).
+/// `machine`: with_tool(). Errors: InputError naming Chord (not positive) or ChordClear (0 .. 1e6 mm).
 PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
                        const ProgramForm& form);
 

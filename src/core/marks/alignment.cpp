@@ -3,7 +3,7 @@
 #include "core/marks/alignment.h"
 
 #include "core/geometry/angle.h"
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/marks/place_index.h"
 
 #include <algorithm>
@@ -84,6 +84,8 @@ AlignmentResult classify_alignment(const std::vector<Vec2>& places, const RowLay
                                    const AlignmentOptions& options) {
   require_positive("FeedPerTooth", layout.feed_per_tooth, "mm");
   require_positive("CrossFeed", layout.cross_feed, "mm");
+  require_in_range("FeedDirection", layout.feed.norm(), 1e-9, 1e9, "long");
+  for (const Vec2& place : places) require_finite("Places", place, "mm");
   AlignmentResult result;
   Phasor all;
   double pairs = 0.0, sums = 0.0;

@@ -23,7 +23,7 @@ const char* name(Alignment alignment);
 
 /// Straight rows of marks; of a helical patch, those of one sector.
 struct RowLayout {
-  Vec2 feed = Vec2::UnitX();    ///< unit, along the rows
+  Vec2 feed = Vec2::UnitX();    ///< along the rows, of any length
   double feed_per_tooth = 0.0;  ///< f_z, distance of marks in a row [mm]
   double cross_feed = 0.0;      ///< distance of rows [mm]
 };
@@ -50,7 +50,7 @@ struct AlignmentOptions {
 };
 
 /// What the marks at `places` [mm, texture plane] look like along the given rows. Errors:
-/// InputError naming FeedPerTooth or CrossFeed.
+/// InputError naming FeedPerTooth, CrossFeed, FeedDirection (zero, not finite) or Places (not finite).
 AlignmentResult classify_alignment(const std::vector<Vec2>& places, const RowLayout& layout,
                                    const AlignmentOptions& options = {});
 

@@ -19,9 +19,8 @@ namespace {
 
 using Nearest = SectionDistance;
 
-/// A box of a frustum in height, distance from the axis (share of the radius) and azimuth.
 struct FrustumCell {
-  double low[3], high[3];  // height, share, azimuth
+  double low[3], high[3];  // height, share of the radius, azimuth
 };
 
 class FrustumSearch {
@@ -220,13 +219,18 @@ void require_valid(const ToolPath& path, const std::vector<ToolSection>& section
   require_positive("BallRadius", path.tool.radius, "mm");
   require_in_range("Tolerance", options.tolerance, 0.0, 1e6, "mm");
   require_in_range("Clearance", options.clearance, 0.0, 1e6, "mm");
-  require_positive("Resolution", options.resolution, "mm");
+  require_in_range("Resolution", options.resolution, 1e-6, 1e6, "mm");
+  const double most = 1e6;
   for (const ToolSection& s : sections)
-    if (!(s.from < s.to) || !(s.radius_from >= 0.0) || !(s.radius_to >= 0.0))
-      throw InputError("ToolSection",
-                       fmt::format("{} from {} to {} mm, radii {} and {} mm", name(s.part), s.from,
-                                   s.to, s.radius_from, s.radius_to),
-                       "a section goes upward and has radii of at least 0.");
+    if (!(s.from >= 0.0 && s.from < s.to && s.to <= most) ||
+        !(std::min(s.radius_from, s.radius_to) >= 0.0) || !(s.radius_from <= most) ||
+        !(s.radius_to <= most))
+      throw InputError(
+          "ToolSection",
+          fmt::format("{} from {} to {} mm, radii {} and {} mm", name(s.part), s.from, s.to,
+                      s.radius_from, s.radius_to),
+          "a section goes upward from 0 or more, has radii of 0 or more, and all are at "
+          "most 1e6 mm.");
 }
 
 void check_moves(const ToolPath& path, const std::vector<ToolSection>& sections,

@@ -30,8 +30,8 @@ const char* name(ToolPart part);
 /// A piece of the tool above the ball: a frustum about the tool axis.
 struct ToolSection {
   ToolPart part = ToolPart::Shank;
-  double from = 0.0, to = 0.0;                ///< heights above the tip [mm], from < to
-  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], >= 0
+  double from = 0.0, to = 0.0;                ///< heights above the tip [mm], 0 <= from < to <= 1e6
+  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e6
 };
 
 /// How near a section comes to the part, negative by how deep the part reaches into it, and where [mm].
@@ -84,8 +84,8 @@ struct ClearanceReport {
 };
 
 /// Checks every move from its start to its end on a straight line of the tip, the axis turning
-/// evenly. A part without a distance: Unknown. Errors: InputError naming BallRadius, Tolerance, Clearance,
-/// Resolution, or ToolSection (from >= to, negative radius).
+/// evenly. A part without a distance: Unknown. Errors: InputError naming BallRadius, Tolerance or Clearance
+/// (0 .. 1e6 mm), Resolution (1e-6 .. 1e6 mm), or ToolSection (out of its ranges).
 ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSection>& sections,
                                 const PartShape& part, const ClearanceOptions& options = {},
                                 const Progress& progress = {});

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/motion.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 
 #include <cmath>
 
@@ -50,6 +50,8 @@ class PathReader {
       throw InputError("HousingAxis", fmt::format("{} vectors", options.housing_x.size()),
                        "give one for the start and one per move.");
     require_positive("BallRadius", path.tool.radius, "mm");
+    require_finite("StartPhase", options.start_phase.radians(), "rad");
+    for (const Vec3& x : options.housing_x) unit_along("HousingAxis", x);
     motion_.sense = path.spindle.sense;
   }
 
@@ -167,6 +169,10 @@ ToolMotion motion_of(const std::vector<MotionSample>& samples, SpindleSense sens
     if (i > 0 && !(sample.time > samples[i - 1].time))
       throw InputError("Time", fmt::format("{} s in sample {}", sample.time, i),
                        "samples must be in order of time.");
+    require_finite("Time", sample.time, "s");
+    require_finite("Tip", sample.tip, "mm");
+    require_finite("Axis", sample.axis, "");
+    require_finite("SpindleAngle", sample.spindle_angle, "rad");
     const double turned = s * sample.spindle_angle;
     if (i > 0 && turned < s * samples[i - 1].spindle_angle - 1e-3)
       throw InputError(

@@ -67,7 +67,8 @@ struct MotionOptions {
 
 /// The motion of a planned path, or of one read back from a program. The tip moves on straight
 /// lines, the axis turns evenly. Errors: InputError naming SpindleTurns (a move's turns are
-/// negative), HousingAxis (size), Dimple (a number outside wanted_phase), BallRadius.
+/// negative), HousingAxis (size, zero, not finite), Dimple (a number outside wanted_phase), StartPhase (not finite),
+/// BallRadius.
 ToolMotion motion_of(const ToolPath& path, const MotionOptions& options = {});
 
 /// One sample of a motion recorded on a machine.
@@ -84,7 +85,7 @@ struct MotionSample {
 /// The motion between recorded samples, all of it one run. `radius`: of the ball [mm]. Samples at
 /// which the spindle has not turned on by 1e-9 rad are dropped and counted as standing.
 /// Errors: InputError naming Time (not ascending), SpindleSense (the angle runs the other way by
-/// more than 1e-3 rad between two samples), BallRadius.
+/// more than 1e-3 rad between two samples), BallRadius, or Time, Tip, Axis, SpindleAngle (not finite).
 ToolMotion motion_of(const std::vector<MotionSample>& samples, SpindleSense sense, double radius);
 
 }  // namespace patchmill

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/marks/texture_marks.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/marks/base_lookup.h"
 #include "core/marks/place_index.h"
 
@@ -24,6 +24,13 @@ struct Band {
   int first, last, from, to;
 };
 
+void refuse_memory(double needed, double limit) {
+  if (needed <= limit) return;
+  throw InputError("Memory", fmt::format("{:.3g} GB", needed * 1e-9),
+                   fmt::format("the limit is {:.3g} GB; take a coarser grid or a smaller window.",
+                               limit * 1e-9));
+}
+
 std::vector<Band> bands_of(const SurfaceGrid& grid, const TextureMarkOptions& options) {
   const auto rows =
       static_cast<int>(std::clamp<std::int64_t>(options.band_cells / grid.columns, 1, grid.rows));
@@ -43,10 +50,7 @@ void require_memory(const SurfaceGrid& grid, const std::vector<Band>& bands, dou
   // a band: its heights, its base, and what looking for dimples takes
   const double needed = 4.0 * static_cast<double>(grid.cells()) +
                         (4.0 + 20.0 + 20.0) * static_cast<double>(rows) * grid.columns;
-  if (needed > limit)
-    throw InputError("Memory", fmt::format("{:.3g} GB", needed * 1e-9),
-                     fmt::format("the limit is {:.3g} GB; take a coarser grid or a smaller window.",
-                                 limit * 1e-9));
+  refuse_memory(needed, limit);
 }
 
 /// Takes the band's own rows and dimples over.
@@ -106,6 +110,8 @@ TextureMarks simulate_texture(const ToolMotion& motion, const Cutter& cutter,
                               const TextureMarkOptions& options, const Progress& progress) {
   require_valid(flat);
   require_in_range("Halo", options.halo, 0.0, 1e6, "mm");
+  refuse_memory(4.0 * static_cast<double>(flat.cells()),
+                options.marks.memory_limit);  // before any list
   const std::vector<Band> bands = bands_of(flat, options);
   require_memory(flat, bands, options.marks.memory_limit);
   TextureMarks out;
@@ -133,6 +139,12 @@ WindowComparison compare_window(const std::vector<DimpleMark>& found,
                                 const std::vector<PlannedPlace>& planned, const Vec2& low,
                                 const Vec2& high, double spacing) {
   require_positive("Spacing", spacing, "mm");
+  require_finite("Window", low, "mm");
+  require_finite("Window", high, "mm");
+  if ((high - low).minCoeff() < 0.0)
+    throw InputError("Window",
+                     fmt::format("({}, {}) to ({}, {}) mm", low.x(), low.y(), high.x(), high.y()),
+                     "give the least corner first.");
   const auto inside = [&](const Vec2& p) {
     return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
   };

@@ -52,7 +52,7 @@ struct WindowComparison {
 /// Compares the dimples of a part of a texture with those planned there. A dimple belongs to the window
 /// `low` to `high` [mm] if the planned one nearest to it does, or, further than half a spacing from any, if
 /// it lies in it; so a mark that has moved over the border is not lost. `planned`: the whole plan.
-/// Errors: InputError naming Spacing.
+/// Errors: InputError naming Spacing, or Window (not finite, or upside down).
 WindowComparison compare_window(const std::vector<DimpleMark>& found,
                                 const std::vector<PlannedPlace>& planned, const Vec2& low,
                                 const Vec2& high, double spacing);

@@ -138,6 +138,11 @@ std::vector<std::array<Vec3, 3>> corner_normals(const TriangleMesh& mesh, Angle 
 }
 
 TriangleMesh box_mesh(const Vec3& lo, const Vec3& hi) {
+  if (!((hi - lo).minCoeff() > 0.0) || !lo.allFinite() || !hi.allFinite())
+    throw InputError("Box",
+                     fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) mm", lo.x(), lo.y(),
+                                 lo.z(), hi.x(), hi.y(), hi.z()),
+                     "give the least corner first; all sides must be longer than zero.");
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i)
     mesh.vertices.emplace_back(i & 1 ? hi.x() : lo.x(), i & 2 ? hi.y() : lo.y(),

@@ -28,7 +28,7 @@ struct Box {
   Vec3 size() const { return hi - lo; }
 };
 
-Box bounds(const TriangleMesh& mesh);
+Box bounds(const TriangleMesh& mesh);           ///< [mm]; of no vertices: lo = inf, hi = -inf
 double volume(const TriangleMesh& mesh);        ///< [mm^3], by the divergence theorem
 double surface_area(const TriangleMesh& mesh);  ///< [mm^2]
 
@@ -47,7 +47,8 @@ TriangleMesh weld(const TriangleMesh& mesh);
 /// order in edge length.
 std::vector<std::array<Vec3, 3>> corner_normals(const TriangleMesh& mesh, Angle crease);
 
-/// Axis-parallel box.
+/// Axis-parallel box from corner `lo` to corner `hi` [mm]. Errors: InputError naming Box if it is not finite or
+/// has no volume.
 TriangleMesh box_mesh(const Vec3& lo, const Vec3& hi);
 
 }  // namespace patchmill

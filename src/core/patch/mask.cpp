@@ -86,6 +86,7 @@ Mask image_mask(Image image, const Box2& area, double outside) {
       throw InputError("Image", fmt::format("value {}", v), "give values from 0 to 1.");
   if (area.isEmpty() || !(area.sizes().minCoeff() > 0.0) || !area.sizes().allFinite())
     throw InputError("MaskArea", "empty or infinite", "give two different finite corners.");
+  require_in_range("MaskOutside", outside, 0.0, 1.0, "");
   const auto shared = std::make_shared<const Image>(std::move(image));
   return [shared, area, outside](const Vec2& p) {
     if (!area.contains(p)) return outside;

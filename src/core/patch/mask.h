@@ -20,7 +20,7 @@ struct Image {
 /// The image laid on `area`, its top along the largest y; bilinear between the pixels' centres,
 /// `outside` beyond the area.
 /// Errors: InputError naming Image (its size does not fit its values, or values are not in 0..1) or
-/// MaskArea (empty or not finite).
+/// MaskArea (empty or not finite) or MaskOutside (0 .. 1).
 Mask image_mask(Image image, const Box2& area, double outside = 0.0);
 
 /// 1 inside the closed curves, 0 outside, by the even-odd rule: a loop within a loop is a hole, as

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/patch/surface_lattice.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/patch/cover.h"
 
 #include <algorithm>
@@ -28,13 +28,17 @@ void add(SpacingSpread::Direction& d, double ratio) {
   ++d.pairs;
 }
 
+void require_area(const Box2& area) {
+  if (area.isEmpty() || !area.min().allFinite() || !area.max().allFinite())
+    throw InputError("Area", "empty", "give an area with finite corners.");
+}
+
 }  // namespace
 
 SurfacePoint require_start(const LatticeRequest& r, const SurfaceSampler& sampler) {
   require_positive("Spacing", r.spacing, "mm");
-  if (r.area.isEmpty() || !r.area.min().allFinite() || !r.area.max().allFinite())
-    throw InputError("Area", "empty", "give an area with finite corners.");
-  if (!r.start.allFinite()) throw InputError("Start", "not finite", "give a place on the faces.");
+  require_area(r.area);
+  require_finite("Start", r.start, "mm");
   const std::vector<SurfaceSample> sample = sampler({r.start});
   if (!on_face(sample[0].state))
     throw InputError("Start", fmt::format("({:.6g}, {:.6g}) mm", r.start.x(), r.start.y()),
@@ -43,8 +47,8 @@ SurfacePoint require_start(const LatticeRequest& r, const SurfaceSampler& sample
 }
 
 Vec2 nearest_start(const Vec2& wanted, const Box2& area, const SurfaceSampler& sampler) {
-  if (area.isEmpty() || !area.min().allFinite() || !area.max().allFinite())
-    throw InputError("Area", "empty", "give an area with finite corners.");
+  require_area(area);
+  require_finite("Start", wanted, "mm");
   constexpr int kGrid = 64;
   std::vector<Vec2> places{wanted};
   for (int i = 0; i < kGrid; ++i)
@@ -66,6 +70,7 @@ Vec2 nearest_start(const Vec2& wanted, const Box2& area, const SurfaceSampler& s
 
 SurfaceLattice counted_from(const SurfaceLattice& lattice, const Vec2& flat, LatticeKind kind,
                             double spacing) {
+  require_finite("Start", flat, "mm");
   const Vec2 shift = lattice_coordinates(kind, spacing, flat).array().round();
   const Vec2 moved = lattice_place(kind, spacing, shift);
   return {[place_of = lattice.place_of, shift](const Vec2& p) { return place_of(p + shift); },
@@ -75,6 +80,7 @@ SurfaceLattice counted_from(const SurfaceLattice& lattice, const Vec2& flat, Lat
 PatchDivision cover(const PatchPattern& pattern, const SurfaceLattice& lattice, const Box2& area,
                     std::int64_t max_dimples) {
   require_valid(pattern);
+  require_area(area);
   const Vec2 anchor = lattice.place_of(Vec2::Zero());
   const Vec2 slack = Vec2::Constant(1e-6 * pattern.spacing);
   const Box2 flat(anchor + lattice.flat.min() - slack, anchor + lattice.flat.max() + slack);

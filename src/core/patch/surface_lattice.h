@@ -66,11 +66,13 @@ std::optional<SurfaceLattice> low_distortion_lattice(const LatticeRequest& reque
                                                      const Progress& progress = {});
 
 /// The place nearest to `wanted` that can be cut: `wanted` itself, or one of a grid of 64 x 64 over
-/// `area`. Errors: InputError naming Start if there is none, Area if it is empty or not finite.
+/// `area`. Errors: InputError naming Start if there is none or `wanted` is not finite, Area if it is empty or not
+/// finite.
 Vec2 nearest_start(const Vec2& wanted, const Box2& area, const SurfaceSampler& sampler);
 
 /// The lattice with another of its points as (0, 0): that next to `flat`, a place of the lattice
 /// spread out flat [mm]. It is what carries a block of patches, whose anchor is `flat`.
+/// `spacing` [mm], > 0. Errors: InputError naming Start if `flat` is not finite.
 SurfaceLattice counted_from(const SurfaceLattice& lattice, const Vec2& flat, LatticeKind kind,
                             double spacing);
 
@@ -96,7 +98,8 @@ struct SpacingSpread {
 };
 
 /// Straight distances in space of all cut dimples that are lattice neighbours, over `spacing`.
-/// The angle is taken at each dimple that has both neighbours (1, 0) and (0, 1).
+/// The angle is taken at each dimple that has both neighbours (1, 0) and (0, 1); if none has, least_angle is a half
+/// turn and greatest_angle zero. `spacing` [mm], > 0.
 SpacingSpread spacing_spread(const Dimples& dimples, LatticeKind kind, double spacing);
 
 }  // namespace patchmill

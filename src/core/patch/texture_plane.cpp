@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/patch/texture_plane.h"
 
+#include "core/geometry/require.h"
+
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,6 +12,8 @@ namespace patchmill {
 
 TexturePlane texture_plane(const Vec3& origin, const Vec3& direction, const Vec3& x_hint,
                            double rotation) {
+  require_finite("Origin", origin, "mm");
+  require_finite("Rotation", rotation, "rad");
   const double length = direction.norm();
   if (!std::isfinite(length) || length < 1e-12)
     throw InputError("Direction",

@@ -19,7 +19,8 @@ struct TexturePlane {
 
 /// A plane through `origin` at right angles to `direction`, with its x axis as near to `x_hint` as
 /// possible, turned by `rotation` [rad] about -direction.
-/// Errors: InputError if `direction` is zero or not finite, or parallel to `x_hint`.
+/// Errors: InputError naming Direction if it is zero or not finite, or parallel to `x_hint`; Origin or Rotation
+/// if not finite.
 TexturePlane texture_plane(const Vec3& origin, const Vec3& direction, const Vec3& x_hint,
                            double rotation);
 

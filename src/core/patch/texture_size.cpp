@@ -137,6 +137,7 @@ TextureSize complete(const TextureWish& wish) {
   require_valid(wish);
   const TextureSize size =
       wish.kind == TextureKind::Overlapping ? overlapping(wish) : isolated(wish);
+  if (wish.tilt) require_in_range("Tilt", wish.tilt->degrees(), 0.0, 90.0, "degrees");
   if (wish.tilt && !(wish.tilt->radians() > size.least_tilt.radians()))
     throw InputError(
         "Tilt", fmt::format("{:.3f}°", wish.tilt->degrees()),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/calibration.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 
 #include <cmath>
 
@@ -10,7 +10,17 @@
 
 namespace patchmill {
 
+namespace {
+
+// M is one turn, or a flute's share of it.
+void require_period(Angle period) {
+  require_in_range("PhasePeriod", period.degrees(), 1e-3, 360.0 + 1e-6, "degrees");
+}
+
+}  // namespace
+
 int calibration_side(Angle period, Angle step, double spare) {
+  require_period(period);
   if (!(step.radians() > 0.0) || step > period / 8.0)
     throw InputError(
         "PhaseStep", fmt::format("{} degrees", step.degrees()),
@@ -22,11 +32,14 @@ int calibration_side(Angle period, Angle step, double spare) {
 Angle start_phase(std::int64_t best_dimple, Angle step, Angle period) {
   if (best_dimple < 0)
     throw InputError("BestDimple", std::to_string(best_dimple), "count from 0, the first dimple.");
+  require_period(period);
+  require_finite("PhaseStep", step.degrees(), "degrees");
   return (step * -static_cast<double>(best_dimple)).wrapped(period);
 }
 
 ToolPath with_start_phase(ToolPath path, Angle start_phase, Angle period,
                           const Decimals& decimals) {
+  require_period(period);
   const double x = start_phase / period;
   if (!(x >= 0.0 && x < 1.0))
     throw InputError(

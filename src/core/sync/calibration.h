@@ -13,12 +13,13 @@
 namespace patchmill {
 
 /// Points along the side of the smallest square patch on which every phase occurs once and `spare`
-/// times more: side² >= (1 + spare) period / step. Errors: InputError naming PhaseStep if the step
-/// is not in (0, period/8].
+/// times more: side² >= (1 + spare) period / step. Errors: InputError naming PhasePeriod if
+/// the period is not in (0, 1 turn] (as all here), PhaseStep if the step is not in (0, period/8].
 int calibration_side(Angle period, Angle step, double spare = 0.05);
 
 /// The start phase from the best dimple, counted from 0 in milling order: x = -best step, modulo
-/// `period`, in [0, period). Errors: InputError naming BestDimple if it is negative.
+/// `period`, in [0, period). Errors: InputError naming BestDimple if it is negative, PhaseStep
+/// if it is not finite.
 Angle start_phase(std::int64_t best_dimple, Angle step, Angle period);
 
 /// `path` with the spindle turned on by the missing period - x before the first dimple: a locked

@@ -46,6 +46,7 @@ void step(PathAccount& build, const PlannedDimple& a, const PlannedDimple& b, do
 }  // namespace
 
 double posted_feed(double feed, const Decimals& decimals) {
+  require_positive("Feed", feed * 60.0, "mm/min");
   return decimals.round(feed * 60.0) / 60.0;
 }
 

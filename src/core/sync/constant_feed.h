@@ -22,7 +22,8 @@ struct ConstantFeed {
   double clearance_height = 0.0;  ///< rapids before the first and after the last dimple [mm]
 };
 
-/// The feed as it is posted: rounded to `decimals` in mm/min [mm/s].
+/// The feed as it is posted: rounded to `decimals` in mm/min [mm/s]; may be 0. Errors: InputError naming Feed
+/// if it is not positive.
 double posted_feed(double feed, const Decimals& decimals);
 
 /// The path of a fixed vertical tool over all Cut dimples in their order: rapid above the first,

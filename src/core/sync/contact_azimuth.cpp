@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/contact_azimuth.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 
 #include <cmath>
 
@@ -18,9 +18,10 @@ Angle contact_azimuth(const Vec3& n) {
 
 void mark_tool_tip(Dimples& dimples, const Vec3& axis, Angle least_tilt) {
   require_in_range("MinimumTilt", least_tilt.degrees(), 1e-6, 89.0, "degrees");
+  const Vec3 t_axis = unit_along("ToolAxis", axis);
   for (Dimple& dimple : dimples) {
     if (dimple.state != DimpleState::Cut) continue;
-    const Angle t = tilt(dimple.surface.normal, axis);
+    const Angle t = tilt(dimple.surface.normal, t_axis);
     if (t < least_tilt || t.degrees() >= 90.0) dimple.state = DimpleState::ToolTip;
   }
 }

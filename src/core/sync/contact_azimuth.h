@@ -20,7 +20,8 @@ Angle contact_azimuth(const Vec3& normal_in_housing);
 /// Sets state ToolTip on every Cut dimple whose normal is nearer to the axis than `least_tilt` or
 /// on its far side (tilt of 90 degrees and more: the ball's side of the holder would cut). Matsuda
 /// 2008, section 2.1: incline the tool, avoid machining with the tip. Errors: InputError naming
-/// MinimumTilt if `least_tilt` is not in (0, 90) degrees; 0 would accept n || t.
+/// MinimumTilt if `least_tilt` is not in 1e-6 .. 89 degrees (0 would accept n || t), or ToolAxis if `axis`,
+/// which need not be unit, is zero or not finite.
 void mark_tool_tip(Dimples& dimples, const Vec3& axis, Angle least_tilt);
 
 }  // namespace patchmill

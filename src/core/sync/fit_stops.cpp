@@ -16,6 +16,12 @@ constexpr double kFlattest = 0.02;  // of the planned detour
 constexpr double kHighest = 3.0;
 constexpr int kBisections = 40;
 constexpr int kMostAdded = 64;  // phase periods for one dimple
+constexpr double kMostPeriods = 1e8;
+
+double timed_length(const ToolPath& path) {
+  const PathStatistics sum = statistics(path);
+  return sum.cut_length + sum.link_length;
+}
 
 class Fitter {
  public:
@@ -141,6 +147,12 @@ StopFit fit_to_stops(const ToolPath& path, const MotionModel& model, double feed
   for (const Move& move : path.moves)
     if (move.pace != Pace::Feed)
       throw InputError("Pace", "spindle-locked", "a locked path needs no fitting.");
+  const double periods = timed_length(path) / feed / model.period;
+  if (!(periods < kMostPeriods))
+    throw InputError("Feed", fmt::format("{} mm/min", feed * 60.0),
+                     fmt::format("the path would take {:.3g} interpolation periods: too many to "
+                                 "follow one by one.",
+                                 periods));
   return Fitter(path, model, feed, period, decimals).run();
 }
 

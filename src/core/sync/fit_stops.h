@@ -23,7 +23,8 @@ struct StopFit {
 /// its dimples: each group of them is drawn towards or away from the chord of its two dimples, links
 /// only away. `feed` is every timed move's feed [mm/s]; `period`: of the phase [turns]. The posted feed
 /// does not change. Errors: InputError naming PathTolerance (the model rounds corners), MaxJerk
-/// (finite), Pace (a locked move), or the model's own.
+/// (finite), Pace (a locked move), Feed (not positive, or so small that the path takes over 1e8 interpolation
+/// periods), or the model's own.
 StopFit fit_to_stops(const ToolPath& path, const MotionModel& model, double feed, double period,
                      const Decimals& decimals);
 

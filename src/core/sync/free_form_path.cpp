@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/free_form_path.h"
 
+#include "core/geometry/require.h"
 #include "core/sync/contact_azimuth.h"
 #include "core/sync/path_account.h"
 #include "core/sync/planned_dimples.h"
@@ -25,6 +26,12 @@ void require_valid(const FreeTexture& texture, const BallEndMill& tool, const Sp
     throw InputError("FeedPerTooth", fmt::format("{} mm", texture.patch.feed_per_tooth),
                      fmt::format("the feed makes {:.6g} mm a tooth: give the same.", f_z));
   require_heights(rule.safe_height, rule.clearance_height);
+}
+
+// Marks of this texture, by number.
+void require_of(const FreeTexture& texture, const Dimples& dimples) {
+  require_one_each("Dimples", dimples.size(), texture.marks.size() * texture.frames.size(),
+                   "marks of the texture");
 }
 
 // Tips of a vertical tool over the helix of one patch.
@@ -71,6 +78,7 @@ ToolPath free_form_path(const FreeTexture& texture, const Dimples& dimples, cons
                         const Spindle& spindle, const ConstantFeed& rule,
                         const Decimals& decimals) {
   require_valid(texture, tool, spindle, rule);
+  require_of(texture, dimples);
   const double turns_per_mm = spindle.speed / rule.feed, tooth = 1.0 / tool.flutes;
   const double f_z = texture.patch.feed_per_tooth, slack = 1e-12 * f_z;
   ToolPath path{tool, spindle, {}, {}};
@@ -143,7 +151,12 @@ int nearest_side(const std::vector<HelixSide>& path, int first, const Vec2& p) {
 std::vector<MeasuredPhase> measure_phase(const ToolPath& path, const FreeTexture& texture,
                                          const Dimples& dimples, int patch) {
   constexpr double kSlack = 1e-11;  // turns
-  const FreeFrame& frame = texture.frames.at(static_cast<std::size_t>(patch));
+  require_of(texture, dimples);
+  require_in_range("Patch", patch, 0, double(texture.frames.size()) - 1.0, "");
+  for (const Move& move : path.moves)
+    if (move.dimple != kNoDimple)
+      require_in_range("Dimple", move.dimple, 0, double(dimples.size()) - 1.0, "");
+  const FreeFrame& frame = texture.frames[static_cast<std::size_t>(patch)];
   const double tooth = 1.0 / path.tool.flutes;
   std::vector<HelixMark> marks;
   double turns = 0.0;             // since the patch's first mark
@@ -162,7 +175,7 @@ std::vector<MeasuredPhase> measure_phase(const ToolPath& path, const FreeTexture
   for (const Move& move : path.moves) {
     const Vec3 way = move.end.tip - from;
     const Dimple* at =
-        move.dimple == kNoDimple ? nullptr : &dimples.at(static_cast<std::size_t>(move.dimple));
+        move.dimple == kNoDimple ? nullptr : &dimples[static_cast<std::size_t>(move.dimple)];
     if (at && at->patch == patch) depth = at->depth;
     if (at && at->patch != patch && inside) break;
     if (inside && std::isnan(move.turns)) break;

@@ -37,6 +37,7 @@ void require_valid(const PacedRule& rule, std::size_t dimples, const BallEndMill
   if (!rule.turning.empty() && rule.turning.size() != dimples)
     throw InputError("ToolAxis", fmt::format("{} postures", rule.turning.size()),
                      fmt::format("plan one for each of the {} dimples.", dimples));
+  for (const double seconds : rule.turning) require_in_range("Turning", seconds, 0.0, 1e6, "s");
   if (rule.phase.flutes == FluteChoice::Same && tool.flutes > 1)
     throw InputError("Flutes", "same",
                      "on a paced path every flute comes by in turn: allow any flute, or use the "

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/planned_dimples.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 
 #include <fmt/format.h>
 
@@ -30,6 +30,8 @@ void require_turning_tool(const BallEndMill& tool, const Spindle& spindle) {
 }
 
 void require_heights(double safe_height, double clearance_height) {
+  require_finite("SafeHeight", safe_height, "mm");
+  require_finite("ClearanceHeight", clearance_height, "mm");
   if (!(clearance_height >= safe_height))
     throw InputError("ClearanceHeight", fmt::format("{} mm", clearance_height),
                      fmt::format("give at least the safe height, {} mm.", safe_height));

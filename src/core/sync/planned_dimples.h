@@ -27,7 +27,7 @@ std::vector<PlannedDimple> planned_dimples(const Dimples& dimples, double radius
 void require_turning_tool(const BallEndMill& tool, const Spindle& spindle);
 
 /// Z of the tip where it travels over the texture, and before and after it [mm]. Errors: InputError naming
-/// ClearanceHeight if that is the lower one.
+/// ClearanceHeight if that is the lower one, or the one that is not finite.
 void require_heights(double safe_height, double clearance_height);
 
 /// Errors: InputError naming SafeHeight if that is less than `lift` over a dimple's tip [mm].

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/postures.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/machine/motion_model.h"
+#include "core/sync/tool_axis.h"
 #include "core/sync/turnaround.h"
 
 #include <cmath>
@@ -44,12 +45,13 @@ double turn(const Kinematics& machine, const MotionModel& model, const Vec3& fro
 
 PosturePlan plan_postures(const Kinematics& machine, const Dimples& dimples,
                           const std::vector<Vec3>& axes, const Decimals& degrees) {
+  require_axes(dimples, axes);
   std::vector<AxisTarget> targets;
   std::vector<std::size_t> number;
   for (std::size_t k = 0; k < dimples.size(); ++k) {
     if (dimples[k].state != DimpleState::Cut) continue;
     const bool first = number.empty() || dimples[number.back()].patch != dimples[k].patch;
-    targets.push_back({axes.at(k), first});
+    targets.push_back({unit_along("ToolAxis", axes[k]), first});
     number.push_back(k);
   }
   const JointPlan plan =
@@ -79,6 +81,7 @@ PosturePlan plan_postures(const Kinematics& machine, const Dimples& dimples,
 std::vector<double> turning_seconds(const Kinematics& machine, const Dimples& dimples,
                                     const Postures& postures, const BallEndMill& tool,
                                     const MotionModel& model, const ProgramForm& form) {
+  require_one_each("Postures", postures.joints.size(), dimples.size(), "dimples");
   std::vector<double> seconds(dimples.size(), 0.0);
   std::size_t before = dimples.size();
   Vec3 from = Vec3::Zero();

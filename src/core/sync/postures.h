@@ -30,15 +30,16 @@ struct PosturePlan {
   double travel = 0.0;  ///< of both rotary axes [rad]
 };
 
-/// Angles for the Cut dimples in their order; axes may unwind from patch to patch only. `axes`: unit,
-/// one for each dimple. `degrees`: decimals on which the angles are put. Errors: of require_valid.
+/// Angles for the Cut dimples in their order; axes may unwind from patch to patch only. `axes`: one
+/// for each dimple, of any length. `degrees`: decimals on which the angles are put. Errors: of require_valid and
+/// of require_axes (tool_axis.h).
 PosturePlan plan_postures(const Kinematics& machine, const Dimples& dimples,
                           const std::vector<Vec3>& axes, const Decimals& degrees);
 
 /// What the axes need for the change of posture from dimple to dimple, from rest to rest, by dimple
 /// number [s]; 0 where the rotary axes stand (see PacedRule::turning). The linear axes have to follow the
 /// rotary ones, with TCP or without; without, they stop where the move is split (programmed_path.h).
-/// `machine`: with_tool().
+/// `machine`: with_tool(). Errors: InputError naming Postures if they are of other dimples.
 std::vector<double> turning_seconds(const Kinematics& machine, const Dimples& dimples,
                                     const Postures& postures, const BallEndMill& tool,
                                     const MotionModel& model, const ProgramForm& form);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/sync/tool_axis.h"
 
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/sync/contact_azimuth.h"
 
 #include <cmath>
@@ -51,7 +51,10 @@ std::vector<std::vector<std::size_t>> runs(const Dimples& dimples) {
 class Axes {
  public:
   Axes(const Dimples& dimples, const ToolAxisRule& rule)
-      : dimples_(dimples), rule_(rule), axes_(dimples.size(), Vec3::UnitZ()) {}
+      : dimples_(dimples),
+        rule_(rule),
+        axis_(unit_along("FixedAxis", rule.axis)),
+        axes_(dimples.size(), Vec3::UnitZ()) {}
 
   std::vector<Vec3> make() {
     for (const auto& run : runs(dimples_)) {
@@ -71,7 +74,7 @@ class Axes {
   Vec3 asked(const std::vector<std::size_t>& run, std::size_t i) const {
     const Vec3& n = normal(run[i]);
     if (rule_.mode == ToolAxisMode::Field) return rule_.field[run[i]].normalized();
-    if (rule_.mode != ToolAxisMode::Normal) return rule_.axis.normalized();
+    if (rule_.mode != ToolAxisMode::Normal) return axis_;
     Vec3 f = feed(run, i);
     f -= n * n.dot(f);
     f = f.norm() > 1e-9 ? Vec3(f.normalized()) : any_normal_to(n);
@@ -107,6 +110,7 @@ class Axes {
 
   const Dimples& dimples_;
   const ToolAxisRule& rule_;
+  Vec3 axis_;
   std::vector<Vec3> axes_;
 };
 
@@ -116,16 +120,18 @@ void require_valid(const Dimples& dimples, const ToolAxisRule& rule) {
   require_in_range("MinimumLead", rule.least_lead.degrees(), 0.0, 80.0, "degrees");
   require_in_range("AxisSmoothing", rule.smoothing.degrees(), 0.0, 45.0, "degrees");
   require_in_range("WidestTilt", rule.widest.degrees(), 0.0, 180.0, "degrees");
-  if (!(rule.axis.norm() > 1e-9))
-    throw InputError("FixedAxis", "(0, 0, 0)", "give the direction from the tip to the holder.");
+  unit_along("FixedAxis", rule.axis);
+  require_finite("LeanTowards", rule.towards, "");
   if (rule.mode != ToolAxisMode::Field) return;
   if (rule.field.size() != dimples.size())
     throw InputError("PostureField", fmt::format("{} axes", rule.field.size()),
                      fmt::format("give one for each of the {} dimples.", dimples.size()));
   for (std::size_t k = 0; k < dimples.size(); ++k)
-    if (dimples[k].state == DimpleState::Cut && !(rule.field[k].norm() > 1e-9))
-      throw InputError("PostureField", fmt::format("no direction at dimple {}", k),
-                       "give a vector other than zero; a voxel model has none inside the part.");
+    if (dimples[k].state == DimpleState::Cut &&
+        !(rule.field[k].norm() > 1e-9 && rule.field[k].norm() < 1e9))
+      throw InputError(
+          "PostureField", fmt::format("no direction at dimple {}", k),
+          "give a finite vector other than zero; a voxel model has none inside the part.");
 }
 
 }  // namespace
@@ -135,8 +141,15 @@ std::vector<Vec3> tool_axes(const Dimples& dimples, const ToolAxisRule& rule) {
   return Axes(dimples, rule).make();
 }
 
+void require_axes(const Dimples& dimples, const std::vector<Vec3>& axes) {
+  require_one_each("ToolAxis", axes.size(), dimples.size(), "dimples");
+  for (std::size_t k = 0; k < dimples.size(); ++k)
+    if (dimples[k].state == DimpleState::Cut) unit_along("ToolAxis", axes[k]);
+}
+
 std::vector<Vec3> axes_by_row(const Dimples& dimples, const std::vector<Vec3>& axes,
                               Angle tolerance) {
+  require_axes(dimples, axes);
   require_in_range("RowTolerance", tolerance.degrees(), 0.0, 45.0, "degrees");
   std::vector<Vec3> out(axes.size(), Vec3::UnitZ());
   Vec3 before = Vec3::Zero();  // of the row before; none yet
@@ -187,10 +200,11 @@ std::vector<Vec3> axes_by_row(const Dimples& dimples, const std::vector<Vec3>& a
 }
 
 void mark_tool_tip(Dimples& dimples, const std::vector<Vec3>& axes, Angle least_tilt) {
+  require_axes(dimples, axes);
   require_in_range("MinimumTilt", least_tilt.degrees(), 1e-6, 89.0, "degrees");
   for (std::size_t k = 0; k < dimples.size(); ++k) {
     if (dimples[k].state != DimpleState::Cut) continue;
-    const Angle t = tilt(dimples[k].surface.normal, axes.at(k));
+    const Angle t = tilt(dimples[k].surface.normal, axes[k]);
     if (t < least_tilt || t.degrees() >= 90.0) dimples[k].state = DimpleState::ToolTip;
   }
 }

@@ -13,6 +13,8 @@
 namespace patchmill {
 namespace {
 
+constexpr double kMostSteps = 1e6;  // each goes over all voxels
+
 // The change of one cell for r = 1, over the axes [first, last].
 double balance(const BrickHalo<double>& value, const BrickHalo<CellRole>& role, int at, int first,
                int last) {
@@ -49,7 +51,7 @@ int transient_steps(DiffusionAxes axes, double pitch, const TransientOptions& op
     step = longest;
   }
   const double count = std::ceil(options.time / step - 1e-9);
-  require_in_range("number of time steps", count, 1.0, 1e9, "");
+  require_in_range("number of time steps", count, 1.0, kMostSteps, "");
   return static_cast<int>(count);
 }
 

@@ -24,11 +24,12 @@ struct TransientOptions {
 /// The largest stable r: 1/2 along one axis, 1/6 for all three.
 double stability_limit(DiffusionAxes axes);
 
-/// Number of steps that will be taken. Errors: InputError naming the limit and the longest step
-/// that is stable, if the step is too long and sub-steps are not allowed.
+/// Number of steps that will be taken, at most a million; `pitch`: side of a voxel [mm], > 0. Errors: InputError
+/// naming what is out of its range, or the limit and the longest step that is stable, if the step is too long and
+/// sub-steps are not allowed.
 int transient_steps(DiffusionAxes axes, double pitch, const TransientOptions& options);
 
-/// Diffuses `field` in place; held cells keep their value, nothing flows out through Outside cells.
+/// Diffuses `field`, a value for each cell of `table` as `role` has, in place; held cells keep their value, nothing flows out through Outside cells.
 /// Returns the number of steps taken. Errors: as transient_steps.
 int diffuse_transient(const BrickTable& table, const std::vector<CellRole>& role,
                       DiffusionAxes axes, double pitch, const TransientOptions& options,
