@@ -14,40 +14,6 @@
 namespace patchmill {
 namespace {
 
-using Rows = Eigen::Matrix<double, -1, 3, Eigen::RowMajor>;
-
-ToolPath make_path(const BallEndMill& tool, const Spindle& spindle, const Vec3& start,
-                   const Rows& tips, const std::optional<Rows>& axes,
-                   const std::vector<std::uint8_t>& kinds, const std::vector<double>& turns) {
-  const auto n = static_cast<std::size_t>(tips.rows());
-  if (kinds.size() != n || turns.size() != n || (axes && axes->rows() != tips.rows()))
-    throw InputError("path", "arrays of different length", "give one row for each move.");
-  constexpr double kFarthest = 1e6;  // mm
-  if (!(start.cwiseAbs().maxCoeff() <= kFarthest) ||
-      (n > 0 && !(tips.cwiseAbs().maxCoeff() <= kFarthest)) || !start.allFinite() ||
-      !tips.allFinite())
-    throw InputError("path", "a tip that is not finite, or far off",
-                     "keep within 1e6 mm of the work's zero.");
-  ToolPath path;
-  path.tool = tool;
-  path.spindle = spindle;
-  path.start.tip = start;
-  for (std::size_t i = 0; i < n; ++i) {
-    Move move;
-    move.end.tip = tips.row(static_cast<Eigen::Index>(i));
-    if (axes) move.end.axis = unit_along("axes", axes->row(static_cast<Eigen::Index>(i)));
-    if (turns[i] < 0.0 || std::isinf(turns[i]))
-      throw InputError("turns", std::to_string(turns[i]),
-                       "give 0 or more, or NaN where nobody knows.");
-    if (kinds[i] > 2) throw InputError("kind", std::to_string(kinds[i]), "give 0, 1 or 2.");
-    move.kind = static_cast<MoveKind>(kinds[i]);
-    move.turns = turns[i];
-    path.moves.push_back(move);
-  }
-  if (axes && n > 0) path.start.axis = path.moves.front().end.axis;
-  return path;
-}
-
 using Sections = std::vector<std::array<double, 4>>;
 
 std::vector<HolderSection> holder_of(const Sections& sections) {
@@ -270,11 +236,6 @@ void bind_live(py::module_& m) {
 
 void bind_dcm_path(py::module_& m) {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-  m.def("make_path", &make_path, py::arg("tool"), py::arg("spindle"), py::arg("start"),
-        py::arg("tips"), py::arg("axes"), py::arg("kinds"), py::arg("turns"),
-        "ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an "
-        "upright tool, "
-        "kinds, spindle turns or NaN. Raises InputError naming path, axes, kind or turns.");
   m.def("apply_dcm", &apply, py::arg("path"), py::arg("grid"), py::arg("feed"), py::arg("posture"),
         py::arg("part") = nullptr, py::arg("holder") = Sections(), py::arg("clearance") = 1.0,
         py::arg("lowest") = kPi / 2, py::arg("reading") = "Smooth",

@@ -1,7 +1,7 @@
 // ToolPath, tools and spindles for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "core/geometry/error.h"
+#include "core/geometry/require.h"
 #include "core/path/tool_path.h"
 
 namespace patchmill {
@@ -12,6 +12,40 @@ Spindle spindle_of(double speed, const std::string& sense) {
     throw InputError("SpindleDirection", "'" + sense + "'", "give M3 or M4.");
   require_positive("SpindleSpeed", speed * 60.0, "rpm");
   return {speed, sense == "M3" ? SpindleSense::M3 : SpindleSense::M4};
+}
+
+using Rows = Eigen::Matrix<double, -1, 3, Eigen::RowMajor>;
+
+ToolPath make_path(const BallEndMill& tool, const Spindle& spindle, const Vec3& start,
+                   const Rows& tips, const std::optional<Rows>& axes,
+                   const std::vector<std::uint8_t>& kinds, const std::vector<double>& turns) {
+  const auto n = static_cast<std::size_t>(tips.rows());
+  if (kinds.size() != n || turns.size() != n || (axes && axes->rows() != tips.rows()))
+    throw InputError("path", "arrays of different length", "give one row for each move.");
+  constexpr double kFarthest = 1e6;  // mm
+  if (!(start.cwiseAbs().maxCoeff() <= kFarthest) ||
+      (n > 0 && !(tips.cwiseAbs().maxCoeff() <= kFarthest)) || !start.allFinite() ||
+      !tips.allFinite())
+    throw InputError("path", "a tip that is not finite, or far off",
+                     "keep within 1e6 mm of the work's zero.");
+  ToolPath path;
+  path.tool = tool;
+  path.spindle = spindle;
+  path.start.tip = start;
+  for (std::size_t i = 0; i < n; ++i) {
+    Move move;
+    move.end.tip = tips.row(static_cast<Eigen::Index>(i));
+    if (axes) move.end.axis = unit_along("axes", axes->row(static_cast<Eigen::Index>(i)));
+    if (turns[i] < 0.0 || std::isinf(turns[i]))
+      throw InputError("turns", std::to_string(turns[i]),
+                       "give 0 or more, or NaN where nobody knows.");
+    if (kinds[i] > 2) throw InputError("kind", std::to_string(kinds[i]), "give 0, 1 or 2.");
+    move.kind = static_cast<MoveKind>(kinds[i]);
+    move.turns = turns[i];
+    path.moves.push_back(move);
+  }
+  if (axes && n > 0) path.start.axis = path.moves.front().end.axis;
+  return path;
 }
 
 py::dict statistics_dict(const ToolPath& path) {
@@ -89,6 +123,11 @@ void bind_path(py::module_& m) {
           },
           "0 rapid, 1 link, 2 cut.")
       .def("statistics", &statistics_dict, "Lengths [mm], seconds, turns and counts.");
+  m.def("make_path", &make_path, py::arg("tool"), py::arg("spindle"), py::arg("start"),
+        py::arg("tips"), py::arg("axes"), py::arg("kinds"), py::arg("turns"),
+        "ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an "
+        "upright tool, "
+        "kinds, spindle turns or NaN. Raises InputError naming path, axes, kind or turns.");
 }
 
 }  // namespace patchmill

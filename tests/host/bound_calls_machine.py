@@ -77,6 +77,8 @@ call("path_steps", path=t.copy_path)
 call("holder_clearance", part=t.part, holder=t.HOLDER, path=t.copy_path, clearance=1.0, step=0.5)
 call("CopyOptions", copied, **t.COPY)
 call("copy_mill", part=t.part, options=core.CopyOptions(**t.COPY))
+call("over_faces", path=t.copy_path, part=t.part, faces=t.part, options=core.CopyOptions(**t.COPY))
+call("with_plunge_feed", path=t.copy_path, vertical=5.0)
 call("copy_mill cutter", with_cutter(lambda tool, spindle: copied(**dict(t.COPY, tool=tool,
      spindle=spindle))),
      **CUTTER)
