@@ -4,11 +4,12 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import _patchmill as core
+import FreeCAD
 from patchmill import copy_milling
 
 from patchmill_gui.computing import Computing, ComputingBox
 from patchmill_gui.operation_base import OperationPage, OperationPanel, OperationView
-from patchmill_gui.path_view import PathScene, show_native_lines
+from patchmill_gui.path_view import PathScene, settle_native_lines
 from patchmill_gui.texture_summary import duration, grouped
 from patchmill_gui.widgets import translate
 
@@ -66,7 +67,10 @@ class CopyPanel(Computing, OperationPanel):
 def _summary(made):
     """What there is to say of a CopiedPath."""
     seconds = made.path.statistics()["timed_seconds"]
-    text = translate("{} moves, {} of milling").format(grouped(len(made.path)), duration(seconds))
+    ridge = core.scallop_height(made.path.tool.radius, made.asked.last_radial)
+    text = translate("{} moves, {} of milling, ridges of {} on a flat").format(
+        grouped(len(made.path)), duration(seconds), FreeCAD.Units.Quantity(ridge, "mm").UserString
+    )
     return "<br>".join([text, *(translate(remark) for remark in copy_milling.remarks(made))])
 
 
@@ -76,6 +80,7 @@ class CopyView(OperationView):
     def attach(self, vobj):
         super().attach(vobj)
         self.scene = PathScene(vobj)
+        settle_native_lines(vobj.Object)
 
     def onChanged(self, vobj, prop):
         if prop == "Visibility" and getattr(self, "scene", None):
@@ -84,8 +89,8 @@ class CopyView(OperationView):
     def updateData(self, obj, prop):
         super().updateData(obj, prop)
         if prop == "Path" and getattr(self, "scene", None):
-            shown = self.scene.follow(getattr(obj.Proxy, "path", None))
-            show_native_lines(obj.ViewObject, not shown)
+            self.scene.follow(getattr(obj.Proxy, "path", None))
+            settle_native_lines(obj)
 
     def make_panel(self, obj, page):
         return CopyPanel(obj, False, page, self.getSelectionFactory())

@@ -6,17 +6,19 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import _patchmill as core
 import FreeCAD
 import FreeCADGui
+import numpy as np
 from patchmill import dcm, dressup_dcm, removal_model, voxel_slices
 from PySide import QtCore, QtGui
 
 from patchmill_gui.computing import Computing, ComputingBox
+from patchmill_gui.idle_properties import idle_dcm_properties
 from patchmill_gui.legend import LegendPlace
-from patchmill_gui.path_view import PathScene, show_native_lines
+from patchmill_gui.path_view import PathScene, settle_native_lines
 from patchmill_gui.property_form import PropertyForm
 from patchmill_gui.property_rows import QuantityRow
 from patchmill_gui.resources import icon
 from patchmill_gui.texture_summary import duration, grouped
-from patchmill_gui.widgets import button_number, let_shrink, translate
+from patchmill_gui.widgets import button_number, let_shrink, translate, user_unit
 
 AXES = ("X", "Y", "Z")
 ARROWS_PER_AXIS = 24  # about so many along the longest side
@@ -41,7 +43,7 @@ class DcmPanel(Computing):
                 text = row.editor.fontMetrics().boundingRect("000.00 mm/s").width()
                 row.editor.setMinimumWidth(text + BUTTONS)
         self.form_rows.show()
-        self.form_rows.changed.connect(self.form_rows.store)
+        self.form_rows.changed.connect(self._store)
         for group in self.form_rows.groups.values():
             layout.addWidget(group)
         self.box = ComputingBox()
@@ -49,6 +51,12 @@ class DcmPanel(Computing):
         layout.addWidget(self._slice_box())
         layout.addStretch()
         self.start_computing()
+        self._store()
+
+    def _store(self):
+        """Editors to properties; those that mean something now are shown."""
+        self.form_rows.store()
+        self.form_rows.show_only(set(self.form_rows.rows) - idle_dcm_properties(self.obj))
 
     def _slice_box(self):
         box = QtGui.QGroupBox(translate("Slice through the voxels"))
@@ -174,13 +182,17 @@ def _slice_of(what, model, feed, limits, axis, place):
     """(arguments of LegendPlace.show, (centres, values)) of a slice."""
     if what == "feed":
         centres, values = voxel_slices.feed_slice(model, feed, axis, place)
-        low, high = 60.0 * limits[0] * min(model.factors), 60.0 * limits[1] * max(model.factors)
-        return (translate("feed [mm/min]"), low, high), (centres, 60.0 * values)
+        unit, factor = user_unit("mm/s")
+        low, high = factor * limits[0] * min(model.factors), factor * limits[1] * max(model.factors)
+        digits = 0 if high >= 50.0 else 2
+        return (translate("feed [{}]").format(unit), low, high, digits), (centres, factor * values)
     if what == "tilt":
         return (translate("tilt [°]"), 0.0, 90.0), voxel_slices.tilt_slice(model, axis, place)
     if what == "distance":
         centres, values = voxel_slices.distance_slice(model, axis, place)
-        return (translate("distance [mm]"), 0.0, max(values, default=1.0), 1), (centres, values)
+        unit, factor = user_unit("mm")
+        title = translate("distance [{}]").format(unit)
+        return (title, 0.0, factor * max(values, default=1.0), 2), (centres, factor * np.asarray(values))
     names = ", ".join("%d %s" % pair for pair in enumerate(model.material_names))
     last = max(1, len(model.material_names) - 1)
     return (names, 0.0, last, 0, last + 1), voxel_slices.material_slice(model, axis, place)
@@ -196,6 +208,7 @@ class DcmView:
     def attach(self, vobj):
         self.vobj, self.obj = vobj, vobj.Object
         self.scene = PathScene(vobj)
+        settle_native_lines(vobj.Object)
 
     def claimChildren(self):
         return [self.obj.Base] if self.obj.Base else []
@@ -210,8 +223,8 @@ class DcmView:
     def updateData(self, obj, prop):
         if prop == "Path" and self.scene:
             result = getattr(obj.Proxy, "result", None)
-            shown = self.scene.follow(result.path if result else None)
-            show_native_lines(obj.ViewObject, not shown)
+            self.scene.follow(result.path if result else None)
+            settle_native_lines(obj)
 
     def setEdit(self, vobj, mode=0):
         if mode != 0:

@@ -1,4 +1,5 @@
-"""Which of a texture's properties mean nothing while others are as they are: a panel hides their rows.
+"""Which properties of a texture or DCM modifier mean nothing while others are as they are: a panel hides
+their rows.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -70,4 +71,30 @@ def idle_properties(obj):
     if obj.TextureKind == "Overlapping":
         idle.add("AreaShare")
     idle.add("ExtraTurns" if obj.Strategy not in POLYGONS else "Lift")
+    return idle
+
+
+FEED = {
+    "FeedAtProduct",
+    "FeedAtSkin",
+    "KeepPlunges",
+    "Materials",
+    "Diffusion",
+    "FeedTolerance",
+}
+TRANSIENT = {"DiffusionTime", "TimeStep", "Diffusivity", "SubSteps"}
+POSTURE = {"PostureForm", "TiltLimit", "AxisTolerance", "Holder", "HolderClearance"}
+
+
+def idle_dcm_properties(obj):
+    """Names of the properties of the DressupDCM `obj` that have no effect now."""
+    idle = set()
+    if obj.Controls == "Feed":
+        idle |= POSTURE
+    if obj.Controls == "Posture":
+        idle |= FEED | TRANSIENT
+    if obj.Diffusion == "Steady":
+        idle |= TRANSIENT
+    if not obj.Holder:
+        idle.add("HolderClearance")
     return idle

@@ -5,6 +5,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import _patchmill as core
+import FreeCAD
+from PySide import QtCore
 
 from patchmill_gui.background import Background
 from patchmill_gui.texture_scene import SceneParts
@@ -39,6 +41,22 @@ class PathScene:
         if path is not None:
             self.drawing.start(lambda progress: core.path_display(path))
         return path is not None
+
+
+def settle_native_lines(obj):
+    """Shows FreeCAD's lines where there are none of ours. Not at once: FreeCAD's view sets back which lines
+    it shows when it has got a new path, and a document being opened gives views the properties that hid
+    them."""
+    place = (obj.Document.Name, obj.Name)  # it may be gone when its turn comes
+
+    def settle():
+        document = FreeCAD.listDocuments().get(place[0])
+        found = document.getObject(place[1]) if document else None
+        view = getattr(found, "ViewObject", None)
+        if view is not None and getattr(view.Proxy, "scene", None) is not None:
+            show_native_lines(view, view.Proxy.scene.path is None)
+
+    QtCore.QTimer.singleShot(0, settle)
 
 
 def show_native_lines(vobj, on):

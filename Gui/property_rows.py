@@ -35,14 +35,19 @@ class QuantityRow(Row):
     def __init__(self, name, obj):
         editor = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         self.box = native("widgets").QuantitySpinBox(editor, obj, name)
+        self.shown = None
         super().__init__(editor, editor.valueChanged)
 
     def show(self, obj):
         update = getattr(self.box, "updateSpinBox", None) or self.box.updateWidget
         update()
+        self.shown = self.editor.property("text")
 
     def store(self, obj):
-        self.box.updateProperty()
+        """Only what was edited: the text is rounded, and would round the property."""
+        if self.editor.property("text") != self.shown:
+            self.box.updateProperty()
+            self.shown = self.editor.property("text")
 
 
 class ChoiceRow(Row):
@@ -62,11 +67,10 @@ class ChoiceRow(Row):
 class MachineRow(Row):
     """The machine files at hand; the empty name is 'none'."""
 
-    NONE = "(none: phase not judged)"
-
     def __init__(self, name, obj):
         editor = QtGui.QComboBox()
-        editor.addItem(self.NONE, "")
+        timed = hasattr(obj, "Strategy")  # a texture
+        editor.addItem("(none: phase not judged)" if timed else "(none: no limits)", "")
         for key in machines.names():
             editor.addItem(key, key)
         self.name = name

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import contextlib
 
+import FreeCAD
 from FreeCAD import Qt
 from PySide import QtCore, QtGui
 
@@ -69,3 +70,9 @@ class ProgressBar(QtGui.QProgressBar):
         self.setValue(int(1000 * share))
         self.setFormat(translate("%p % · {:.0f} s left").format(seconds))
         self.show()
+
+
+def user_unit(unit):
+    """(unit, factor) in which the user's FreeCAD shows what is in `unit`, such as "mm/s"."""
+    _, factor, shown = FreeCAD.Units.Quantity(1.0, unit).getUserPreferred()
+    return shown, 1.0 / factor

@@ -61,10 +61,36 @@ class BallEndOperation(host.PathOp.ObjectOp):
             forget_dressups(obj)
             raise
 
+    def refresh_heights(self, obj):
+        """The heights as a recompute would leave them: before the first one FreeCAD's expressions for them
+        have not been evaluated, and would refer to a stock at zero."""
+        self.updateDepths(obj, ignoreErrors=True)
+        for name, expression in obj.ExpressionEngine:
+            if name in ("SafeHeight", "ClearanceHeight"):
+                setattr(obj, name, obj.evalExpression(expression))
+
+    def sanitizeBase(self, obj):
+        """Called by ObjectOp.execute, whose own would clear Base if one of its faces is gone, and go on: an
+        operation that then takes all of the part would mill what nobody chose."""
+        for base, names in obj.Base:
+            for name in names:
+                if name and not _has(base.Shape, name):
+                    remedy = "it is gone: choose the faces again."
+                    raise InputError("Base", "%s of %s" % (name, base.Label), remedy)
+        return False
+
     def forget(self):
         """As if it had never been executed."""
         self.error = None
         setattr(self, self.RESULT, None)
+
+
+def _has(shape, name):
+    try:
+        shape.getElement(name)
+    except Exception:  # FreeCAD's versions raise errors of different kinds
+        return False
+    return True
 
 
 def forget_dressups(obj):

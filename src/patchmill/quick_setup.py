@@ -10,6 +10,9 @@ from _patchmill import InputError
 
 from patchmill import host, preferences
 
+# Of the ball's diameter: light cuts, and then ridges of one per cent of it on a flat
+DEPTHS = {"RadialDepth": 0.5, "AxialDepth": 0.5, "FinishingRadialDepth": 0.2}
+
 
 def job_for(part):
     """(job, model): a job over the document object `part` and the object of its model that stands for it.
@@ -76,4 +79,7 @@ def copy_milling(name, part, faces=()):
     operation = CopyMilling.Create(name, parentJob=job)
     operation.ToolController = controller
     operation.Base = [(model, list(faces))] if faces else []
+    for name, share in DEPTHS.items():
+        setattr(operation, name, share * float(controller.Tool.Diameter))
+    operation.Proxy.refresh_heights(operation)
     return operation

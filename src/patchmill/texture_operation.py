@@ -84,14 +84,6 @@ class ObjectTexture(BallEndOperation):
         ready, self.ready = self.ready, None
         return ready if ready and ready.planned.asked == given else prepare(given)
 
-    def refresh_heights(self, obj):
-        """The heights as a recompute would leave them: before the first one FreeCAD's expressions for them
-        have not been evaluated, and would refer to a stock at zero."""
-        self.updateDepths(obj, ignoreErrors=True)
-        for name, expression in obj.ExpressionEngine:
-            if name in ("SafeHeight", "ClearanceHeight"):
-                setattr(obj, name, obj.evalExpression(expression))
-
     def patch_surface(self, obj):
         """The _patchmill.PatchSurface of the operation's patches."""
         return core.PatchSurface(self.SURFACE)

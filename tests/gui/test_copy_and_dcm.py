@@ -113,10 +113,53 @@ class CopyAndDcm(driver.BlockTest):
         self.assertEqual(self.names(), before)
         self.assertIn(operation, self.document.getObject("Job").Operations.Group)
 
+    def test_defaults_fit_the_tool(self):
+        operation, panel = self.begin_copy()
+        diameter = float(operation.ToolController.Tool.Diameter)
+        self.assertLessEqual(operation.RadialDepth.Value, 0.5 * diameter)
+        self.assertGreater(operation.SafeHeight.Value, self.document.getObject("Stock").Shape.BoundBox.ZMax)
+        panel.reject()
+
+    def test_a_panel_rounds_nothing_that_was_not_edited(self):
+        dressup, panel = self.begin_dcm(self.copy_milled())
+        high, low = dressup.FeedAtSkin.Value, dressup.FeedAtProduct.Value
+        panel.form_rows.rows["FeedAtProduct"].editor.setProperty("rawValue", 5.0)
+        driver.accept(panel)
+        self.assertEqual(dressup.FeedAtSkin.Value, high)
+        self.assertAlmostEqual(high, 800.0 / 60.0, 12)  # 13.33 as it is shown
+        self.assertNotEqual(dressup.FeedAtProduct.Value, low)
+        dressup.VoxelSize = 1.2345678
+        dressup.ViewObject.Document.setEdit(dressup.ViewObject, 0)
+        driver.accept(dressup.ViewObject.Proxy.panel)
+        self.assertEqual(dressup.VoxelSize.Value, 1.2345678)
+
+    def test_only_what_means_something_is_shown(self):
+        _, panel = self.begin_dcm(self.copy_milled())
+        rows = panel.form_rows.rows
+        for controls, diffusion, shown, hidden in (
+            ("Feed", "Steady", "FeedAtSkin", "TiltLimit"),
+            ("Feed", "Transient", "TimeStep", "PostureForm"),
+            ("Posture", "Transient", "TiltLimit", "TimeStep"),
+            ("Feed and posture", "Steady", "PostureForm", "Diffusivity"),
+        ):
+            rows["Controls"].editor.setCurrentText(controls)
+            rows["Diffusion"].editor.setCurrentText(diffusion)
+            self.assertFalse(rows[shown].editor.isHidden(), shown)
+            self.assertTrue(rows[hidden].editor.isHidden(), hidden)
+        panel.reject()
+
     def test_views_are_restored_on_reopening(self):
         dressup, panel = self.begin_dcm(self.copy_milled())
         driver.accept(panel)
         self.reopen()
+        for name in ("CopyMilling", "DressupDCM"):  # nothing of ours is drawn yet: FreeCAD's lines, all
+            view = self.document.getObject(name).ViewObject
+            self.assertEqual((view.StartIndex, view.ShowCount), (0, 0), name)
+            view.Object.touch()
+        self.document.recompute()
+        driver.rest(0.2)
+        for name in ("CopyMilling", "DressupDCM"):
+            self.assertGreater(self.document.getObject(name).ViewObject.StartIndex, 100, name)
         for name, module in (("CopyMilling", "copy_panel"), ("DressupDCM", "dcm_panel")):
             view = self.document.getObject(name).ViewObject.Proxy
             self.assertEqual(type(view).__module__, "patchmill_gui." + module)

@@ -66,6 +66,20 @@ class Changes(WithDocuments):
         tops = [max(o.Proxy.path.tips[:, 2]) for o in (copy,)] + [dressup.Path.BoundBox.ZMax]
         self.assertLess(max(tops), 15.0)
 
+    def test_a_face_that_is_gone_is_not_the_whole_part(self):
+        model = self.job.Model.Group[0]
+        last = "Face%d" % len(model.Shape.Faces)
+        copy = CopyMilling.Create("Copy", parentJob=self.job)
+        copy.Base = [(model, [last])]
+        CopyMilling.recompute(copy)
+        self.document.getObject("Part").Shape = Part.makeBox(60, 40, 20)
+        self.document.recompute()
+        self.assertEqual(copy.Path.Size, 0)
+        for _ in range(2):
+            self.refused("Base", CopyMilling.recompute, copy)
+            self.assertEqual(copy.Base[0][1], (last,))
+        self.refused("Base", patchmill.post, self.job, self.program)
+
     def test_a_stock_that_was_put_in_another_place(self):
         copy = copy_milled(self.job)
         self.job.Stock = self.document.addObject("Part::Box", "Other")
