@@ -1,10 +1,10 @@
-// A ball of 3 mm dropped on a hill of 50 x 50 mm, along scanning lines and at random, by the number of
-// triangles: PatchMill's tree of bounds against the plain way, which tries every triangle under the ball
-// from a grid of buckets of one ball diameter. Before time is taken both are compared at 500 points (counter
-// `largest_difference_mm`). Along lines each search begins with the triangle of the point before, as copy
-// milling does it. One thread; items are points.
+// A ball of 3 mm dropped on hills of 50 x 50 mm, by the number of triangles, which grows because one hill is meshed
+// finer, or because there are more hills side by side. PatchMill's probe, along scanning lines as in copy milling, and
+// its search from the root of the tree at random places, against the plain way, which tries every triangle under the
+// ball from a grid of buckets of one ball diameter. Besides, the probe is compared with all triangles at 220 places
+// of the same lines (counter `largest_difference_mm`). One thread; items are points.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/copy/drop_cutter.h"
+#include "core/copy/drop_probe.h"
 #include "core/voxel/shapes.h"
 
 #include <random>
@@ -27,12 +27,25 @@ std::vector<Vec2> random_points(std::size_t count) {
   return points;
 }
 
-// Points 0.05 mm apart on lines 0.25 mm apart, as copy milling drops them.
-std::vector<Vec2> scanning_points(std::size_t count) {
+// Points 0.05 mm apart on 40 lines over so many hills side by side, as copy milling drops them.
+std::vector<Vec2> scanning_points(int hills) {
   std::vector<Vec2> points;
-  for (std::size_t i = 0; i < count; ++i)
-    points.emplace_back(0.05 * double(i % 1000), 0.25 * double(i / 1000));
+  for (int line = 0; line < 40; ++line)
+    for (int i = 0; i < 1000 * hills; ++i) points.emplace_back(0.05 * i, 1.25 * line);
   return points;
+}
+
+// Blocks with a hill, in a row along x.
+TriangleMesh hills_in_a_row(int hills, int fineness) {
+  const TriangleMesh one = shapes::convex_part(fineness);
+  TriangleMesh row;
+  for (int h = 0; h < hills; ++h) {
+    const auto first = static_cast<std::int32_t>(row.vertices.size());
+    for (const Vec3& v : one.vertices) row.vertices.push_back(v + Vec3(50.0 * h, 0, 0));
+    for (const auto& t : one.triangles)
+      row.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  return row;
 }
 
 // Buckets of one diameter over the part; each holds the triangles that a ball over it can touch.
@@ -66,12 +79,8 @@ struct Buckets {
   }
 };
 
-TriangleMesh hill(benchmark::State& state) {
-  return shapes::convex_part(int(state.range(0)));
-}
-
 void every_triangle_under_the_ball(benchmark::State& state) {
-  const TriangleMesh mesh = hill(state);
+  const TriangleMesh mesh = hills_in_a_row(1, int(state.range(0)));
   const Buckets buckets(mesh);
   const auto points = random_points(2000);
   for (auto _ : state)
@@ -80,30 +89,57 @@ void every_triangle_under_the_ball(benchmark::State& state) {
   state.counters["triangles"] = double(mesh.triangles.size());
 }
 
-void patchmill_drop_ball(benchmark::State& state) {
-  const TriangleMesh mesh = hill(state);
-  const TriangleBvh bvh(mesh);
-  const Buckets buckets(mesh);
+double largest_difference(const TriangleBvh& bvh, const std::vector<Vec2>& points) {
+  DropProbe probe(bvh, kRadius);
   double worst = 0.0;
-  for (const Vec2& p : random_points(500))
-    worst = std::max(worst, std::abs(drop_ball(bvh, p.x(), p.y(), kRadius) - buckets.drop(p)));
-  const bool lines = state.range(1) == 0;
-  const auto points = lines ? scanning_points(200000) : random_points(200000);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double z = probe(points[i].x(), points[i].y());
+    if (i % (points.size() / 20) > 10) continue;
+    double largest = kNoContact;
+    for (const Triangle& t : bvh.triangles())
+      largest = std::max(largest, drop_ball_on(t, points[i].x(), points[i].y(), kRadius));
+    worst = std::max(worst, std::abs(z - largest));
+  }
+  return worst;
+}
+
+// Along lines; with a new probe each time.
+void patchmill_probe(benchmark::State& state) {
+  const int hills = int(state.range(1));
+  const TriangleMesh mesh = hills_in_a_row(hills, int(state.range(0)));
+  const TriangleBvh bvh(mesh);
+  const auto points = scanning_points(hills);
   for (auto _ : state) {
-    DropHint before;
-    for (const Vec2& p : points) {
-      benchmark::DoNotOptimize(drop_ball(bvh, p.x(), p.y(), kRadius, before));
-      if (!lines) before = {};
-    }
+    DropProbe probe(bvh, kRadius);
+    for (const Vec2& p : points) benchmark::DoNotOptimize(probe(p.x(), p.y()));
   }
   state.SetItemsProcessed(state.iterations() * int64_t(points.size()));
   state.counters["triangles"] = double(mesh.triangles.size());
-  state.counters["largest_difference_mm"] = worst;
+  state.counters["largest_difference_mm"] = largest_difference(bvh, points);
 }
 
-// 1,152, 20,160 and 125,312 triangles; 0: along lines, 1: at random
+// At random, each place from the root.
+void patchmill_drop_ball(benchmark::State& state) {
+  const TriangleMesh mesh = hills_in_a_row(1, int(state.range(0)));
+  const TriangleBvh bvh(mesh);
+  const auto points = random_points(200000);
+  for (auto _ : state)
+    for (const Vec2& p : points) benchmark::DoNotOptimize(drop_ball(bvh, p.x(), p.y(), kRadius));
+  state.SetItemsProcessed(state.iterations() * int64_t(points.size()));
+  state.counters["triangles"] = double(mesh.triangles.size());
+}
+
+// fineness 16, 70 and 176: 1,152, 20,160 and 125,312 triangles a hill; 18 and 109 hills of 16: 20,736 and 125,568
 BENCHMARK(every_triangle_under_the_ball)->Arg(70)->Arg(16)->Arg(176)->Unit(benchmark::kMillisecond);
-BENCHMARK(patchmill_drop_ball)->ArgsProduct({{16, 70, 176}, {0, 1}})->Unit(benchmark::kMillisecond);
+BENCHMARK(patchmill_probe)
+    ->ArgNames({"fineness", "hills"})
+    ->Args({16, 1})
+    ->Args({70, 1})
+    ->Args({176, 1})
+    ->Args({16, 18})
+    ->Args({16, 109})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(patchmill_drop_ball)->Arg(16)->Arg(70)->Arg(176)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace patchmill

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/copy/contouring.h"
 
-#include "core/copy/drop_cutter.h"
+#include "core/copy/drop_probe.h"
 
 #include <cmath>
+
+#include <tbb/enumerable_thread_specific.h>
 
 namespace patchmill {
 namespace {
@@ -59,11 +61,18 @@ void clip_to_stock(const Polyline& curve, const Box& stock, double beyond,
   }
 }
 
+// A probe for each thread; places that follow each other are near.
+using Probes = tbb::enumerable_thread_specific<DropProbe>;
+
+Probes probes(const TriangleBvh& part, const CopyOptions& options) {
+  return Probes(DropProbe(part, options.tool.radius + options.allowance));
+}
+
 }  // namespace
 
 std::vector<Polyline> ball_contours(const TriangleBvh& part, double z, const CopyOptions& options) {
-  const double radius = options.tool.radius + options.allowance;
-  const auto height = [&](const Vec2& p) { return z - drop_ball(part, p.x(), p.y(), radius); };
+  Probes probe = probes(part, options);
+  const auto height = [&](const Vec2& p) { return z - probe.local()(p.x(), p.y()); };
   // free where positive: the part on the left of curves with f < 0 there; turned round below
   std::vector<Polyline> curves =
       level_curves(level_grid(options, chord_step(options)), height, 0.1 * options.tolerance);
@@ -77,10 +86,10 @@ std::vector<Polyline> around_contours(const std::vector<Polyline>& contours,
   const TriangleMesh mesh = ribbons(contours);
   if (mesh.triangles.empty()) return {};
   const TriangleBvh tree(mesh);
-  const double radius = options.tool.radius + options.allowance;
+  Probes probe = probes(part, options);
   const auto beyond = [&](const Vec2& p) {
     const double d = closest_point(tree, Vec3(p.x(), p.y(), 0.0)).distance;
-    return drop_ball(part, p.x(), p.y(), radius) > z ? -distance - d : d - distance;
+    return probe.local()(p.x(), p.y()) > z ? -distance - d : d - distance;
   };
   std::vector<Polyline> inside;
   for (Polyline& curve : level_curves(level_grid(options, 2.0 * chord_step(options)), beyond,

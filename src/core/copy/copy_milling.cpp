@@ -3,7 +3,7 @@
 #include "core/copy/copy_milling.h"
 
 #include "core/copy/contouring.h"
-#include "core/copy/drop_cutter.h"
+#include "core/copy/drop_probe.h"
 #include "core/copy/path_builder.h"
 #include "core/copy/scanning.h"
 #include "core/geometry/error.h"
@@ -135,10 +135,9 @@ Runs refined(Runs runs, double step) {
 }
 
 CopiedPath scan_undercut(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
-  const double radius = o.tool.radius + o.allowance;
-  PathBuilder builder(o, [&](const Vec3& c) {
-    return drop_ball(part, c.x(), c.y(), radius) <= c.z() + 0.5 * o.tolerance;
-  });
+  DropProbe probe(part, o.tool.radius + o.allowance);
+  PathBuilder builder(
+      o, [&](const Vec3& c) { return probe(c.x(), c.y()) <= c.z() + 0.5 * o.tolerance; });
   const std::vector<double> level = levels(o), y = planes(o);
   const double x0 = o.stock.lo.x() - o.tool.radius, x1 = o.stock.hi.x() + o.tool.radius;
   std::vector<std::vector<Polyline>> section;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/copy/drop_cutter.h"
 
+#include "core/copy/drop_probe.h"
+#include "core/copy/drop_search.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,110 +25,59 @@ double touch_corner(const Vec3& p, const Ball& ball) {
 }
 
 // In the vertical plane through the edge the ball's section is a circle of radius s; it touches a
-// line of slope ez / e at the height of the line under the centre plus s sqrt(1 + slope^2).
+// line of slope ez / e at the height of the line under the centre plus s sqrt(1 + slope^2). A contact
+// beyond an end of the edge is on its corner there.
 double touch_edge(const Vec3& p, const Vec3& q, const Ball& ball) {
   const double ex = q.x() - p.x(), ey = q.y() - p.y(), ez = q.z() - p.z();
   const double e2 = ex * ex + ey * ey;
-  if (e2 == 0.0) return kNoContact;  // vertical: its upper corner is touched
+  if (e2 == 0.0) return touch_corner(ez > 0.0 ? q : p, ball);  // upright
   const double cx = ball.x - p.x(), cy = ball.y - p.y();
-  const double across = cx * ey - cy * ex;
-  const double rest = ball.radius2 - across * across / e2;
+  const double across = cx * ey - cy * ex, per_e2 = 1.0 / e2;
+  const double rest = ball.radius2 - across * across * per_e2;
   if (rest <= 0.0) return kNoContact;
   // in units of the edge: the foot of the centre, and the contact ahead of it by s sin(slope)
-  const double length = std::sqrt(e2 + ez * ez), s = std::sqrt(rest);
-  const double foot = (cx * ex + cy * ey) / e2;
-  const double contact = foot + s * ez / (length * std::sqrt(e2));
-  if (contact < 0.0 || contact > 1.0) return kNoContact;
-  return p.z() + foot * ez + s * length / std::sqrt(e2);
+  const double stretch = std::sqrt(1.0 + ez * ez * per_e2), s = std::sqrt(rest);
+  const double foot = (cx * ex + cy * ey) * per_e2;
+  const double contact = foot + s * ez * per_e2 / stretch;
+  if (contact < 0.0) return touch_corner(p, ball);
+  if (contact > 1.0) return touch_corner(q, ball);
+  return p.z() + foot * ez + s * stretch;
 }
 
-// The ball's centre resting on the triangle's plane, if the contact lies in the triangle; else kNoContact.
-double touch_face(const Triangle& t, const Ball& ball) {
-  const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
-  const double size = normal.norm();
-  if (std::abs(normal.z()) <= 1e-14 * size) return kNoContact;  // upright: an edge is touched
-  const Vec3 n = normal / (normal.z() > 0.0 ? size : -size);
-  const double px = ball.x - ball.radius * n.x(), py = ball.y - ball.radius * n.y();
-  const auto side = [&](const Vec3& a, const Vec3& b) {
-    return (b.x() - a.x()) * (py - a.y()) - (b.y() - a.y()) * (px - a.x());
-  };
-  const double u = side(t.a, t.b), v = side(t.b, t.c), w = side(t.c, t.a);
-  const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-  if (!inside) return kNoContact;
-  return t.a.z() + (ball.radius - n.x() * (ball.x - t.a.x()) - n.y() * (ball.y - t.a.y())) / n.z();
-}
-
-// The height that the triangle lifts the ball to: on its face, else on an edge or a corner.
+// The height that the triangle lifts the ball to. Over the points p of the triangle's plane the height of a
+// ball that touches p, z(p) + sqrt(R^2 - |c - p|^2), is concave. Its peak is where the ball rests on the
+// plane, q; if that is not in the triangle, the highest place of the triangle is on an edge which q lies
+// beyond, for from there the height grows all the way to q.
 double touch_triangle(const Triangle& t, const Ball& ball) {
-  const double face = touch_face(t, ball);
-  if (face > kNoContact) return face;
-  return std::max({touch_edge(t.a, t.b, ball), touch_edge(t.b, t.c, ball),
-                   touch_edge(t.c, t.a, ball), touch_corner(t.a, ball), touch_corner(t.b, ball),
-                   touch_corner(t.c, ball)});
-}
-
-// What is still to be looked at, the most promising on top.
-struct Visit {
-  std::int32_t child;  // as in DropNode
-  float bound;
-};
-struct Stack {
-  Visit visit[16 * kDropWidth];  // a tree of 2^31 triangles is ten nodes deep
-  int top = 0;
-
-  // Children with a bound, above what is there; of these the highest on top.
-  void push(const DropNode& node, const float* bound) {
-    const int first = top;
-    for (int i = 0; i < kDropWidth; ++i) {
-      if (!(bound[i] > -std::numeric_limits<float>::infinity())) continue;
-      int at = top++;
-      for (; at > first && visit[at - 1].bound > bound[i]; --at) visit[at] = visit[at - 1];
-      visit[at] = {node.child[i], bound[i]};
-    }
+  const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
+  const double size = normal.norm(), turn = normal.z() > 0.0 ? 1.0 : -1.0;
+  double beyond_ab = -1.0, beyond_bc = -1.0, beyond_ca = -1.0;
+  if (std::abs(normal.z()) > 1e-14 * size) {  // else upright: an edge is touched
+    const Vec3 n = normal * (turn / size);
+    const double qx = ball.x - ball.radius * n.x(), qy = ball.y - ball.radius * n.y();
+    const auto side = [&](const Vec3& a, const Vec3& b) {
+      return turn * ((b.x() - a.x()) * (qy - a.y()) - (b.y() - a.y()) * (qx - a.x()));
+    };
+    const double ab = side(t.a, t.b), bc = side(t.b, t.c), ca = side(t.c, t.a);
+    if (ab >= 0.0 && bc >= 0.0 && ca >= 0.0)
+      return t.a.z() +
+             (ball.radius - n.x() * (ball.x - t.a.x()) - n.y() * (ball.y - t.a.y())) / n.z();
+    // nearly upright the sides are mostly rounding: all edges
+    if (n.z() > 1e-6) beyond_ab = ab, beyond_bc = bc, beyond_ca = ca;
   }
-};
+  double highest = kNoContact;
+  if (beyond_ab < 0.0) highest = touch_edge(t.a, t.b, ball);
+  if (beyond_bc < 0.0) highest = std::max(highest, touch_edge(t.b, t.c, ball));
+  if (beyond_ca < 0.0) highest = std::max(highest, touch_edge(t.c, t.a, ball));
+  return highest;
+}
 
 }  // namespace
 
-double drop_ball(const TriangleBvh& bvh, double x, double y, double radius, DropHint& hint) {
-  const Ball ball{x, y, radius, radius * radius};
-  const DropTree& tree = bvh.drops();
-  const DropBall outline = drop_ball_over(tree, x, y, radius);
-  double best = kNoContact;
-  std::int32_t winner = hint.triangle;
-  if (winner >= 0) best = touch_triangle(bvh.triangles()[winner], ball);
-  const auto floor = [&] {  // `best` as the bounds see it, never too high
-    return std::nextafter(static_cast<float>(best - tree.middle().z()),
-                          -std::numeric_limits<float>::infinity());
-  };
-  float lowest = floor();
-  DropNode::Row bound;
-  Stack stack;
-  const auto open = [&](const DropNode& node) {
-    drop_bounds(node, outline, lowest, bound);
-    stack.push(node, bound);
-  };
-  open(tree.nodes()[0]);
-  while (stack.top > 0) {
-    const Visit next = stack.visit[--stack.top];
-    if (next.bound <= lowest) continue;
-    if (next.child >= 0) {
-      open(tree.nodes()[next.child]);
-      continue;
-    }
-    const double height = touch_triangle(bvh.triangles()[~next.child], ball);
-    if (height <= best) continue;
-    best = height;
-    lowest = floor();
-    winner = ~next.child;
-  }
-  hint.triangle = winner;
-  return best;
-}
-
 double drop_ball(const TriangleBvh& bvh, double x, double y, double radius) {
-  DropHint none;
-  return drop_ball(bvh, x, y, radius, none);
+  DropSearch search(bvh, x, y, radius);
+  search.look_at_all();
+  return search.height();
 }
 
 double drop_ball_on(const Triangle& triangle, double x, double y, double radius) {
@@ -135,9 +87,8 @@ double drop_ball_on(const Triangle& triangle, double x, double y, double radius)
 std::vector<double> drop_balls(const TriangleBvh& bvh, const std::vector<Vec2>& xy, double radius) {
   std::vector<double> z(xy.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, xy.size()), [&](const auto& some) {
-    DropHint hint;
-    for (std::size_t i = some.begin(); i < some.end(); ++i)
-      z[i] = drop_ball(bvh, xy[i].x(), xy[i].y(), radius, hint);
+    DropProbe probe(bvh, radius);
+    for (std::size_t i = some.begin(); i < some.end(); ++i) z[i] = probe(xy[i].x(), xy[i].y());
   });
   return z;
 }

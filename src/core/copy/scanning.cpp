@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/copy/scanning.h"
 
-#include "core/copy/drop_cutter.h"
+#include "core/copy/drop_probe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +20,12 @@ double chord_step(const CopyOptions& options) {
 }
 
 struct Probe {
-  const TriangleBvh& part;
-  double y, floor, radius, tolerance;
-  DropHint near{};  // the point before, a step away
+  DropProbe drop;
+  double y, floor, tolerance;
 
   Vec2 operator()(double x) {
     // the probe is larger by the allowance; its centre is that of the tool
-    return {x, std::max(floor, drop_ball(part, x, y, radius, near))};
+    return {x, std::max(floor, drop(x, y))};
   }
 
   // Points after `a` up to and with `b`. Two places inside must lie on the chord.
@@ -55,7 +54,7 @@ Vec2 at_height(const Vec2& a, const Vec2& b, double z) {
 
 std::vector<Vec2> probe_profile(const TriangleBvh& part, double y, double x0, double x1,
                                 double floor, const CopyOptions& options) {
-  Probe probe{part, y, floor, ball_radius(options), options.tolerance};
+  Probe probe{DropProbe(part, ball_radius(options)), y, floor, options.tolerance};
   const int steps = std::max(1, static_cast<int>(std::ceil((x1 - x0) / chord_step(options))));
   std::vector<Vec2> profile{probe(x0)};
   for (int i = 1; i <= steps; ++i)

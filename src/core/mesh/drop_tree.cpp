@@ -1,8 +1,8 @@
-// Bounds for a dropped ball; see drop_tree.h.
+// Making of the tree; see drop_tree.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/mesh/drop_tree.h"
 
-#include "core/geometry/vector_clones.h"
+#include "core/mesh/float_rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,26 +12,6 @@ namespace patchmill {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFloatError = 1.0 / (1 << 20);  // of a sum of a few floats, relative to its terms
-
-float above(double v) {
-  return std::nextafter(static_cast<float>(v), std::numeric_limits<float>::infinity());
-}
-
-float below(double v) {
-  return std::nextafter(static_cast<float>(v), -std::numeric_limits<float>::infinity());
-}
-
-void clear(DropNode& node) {
-  const float inf = std::numeric_limits<float>::infinity();
-  for (int i = 0; i < kDropWidth; ++i) {
-    node.lo_x[i] = node.lo_y[i] = inf;
-    node.hi_x[i] = node.hi_y[i] = node.top[i] = -inf;
-    node.slope_x[i] = node.slope_y[i] = node.height[i] = 0.0f;
-    node.stretch[i] = 1.0f;
-    node.child[i] = 0;
-  }
-}
 
 // Mean slope of the triangles, each weighed by its area; of one triangle alone also if it faces down.
 Vec2 mean_slope(const Triangle* first, std::size_t count) {
@@ -45,6 +25,30 @@ Vec2 mean_slope(const Triangle* first, std::size_t count) {
 }
 
 }  // namespace
+
+DropLeaf empty_drop_leaf() {
+  const float inf = std::numeric_limits<float>::infinity();
+  DropLeaf leaf{};
+  for (int i = 0; i < kDropWidth; ++i) {
+    leaf.node.lo_x[i] = leaf.node.lo_y[i] = inf;
+    leaf.node.hi_x[i] = leaf.node.hi_y[i] = leaf.node.top[i] = -inf;
+    leaf.node.stretch[i] = 1.0f;
+  }
+  return leaf;
+}
+
+void copy_triangle(const DropLeaf& from, int lane, DropLeaf& to, int to_lane) {
+  for (DropNode::Row DropNode::*row :
+       {&DropNode::lo_x, &DropNode::hi_x, &DropNode::lo_y, &DropNode::hi_y, &DropNode::top,
+        &DropNode::slope_x, &DropNode::slope_y, &DropNode::height, &DropNode::stretch})
+    (to.node.*row)[to_lane] = (from.node.*row)[lane];
+  for (int k = 0; k < 3; ++k) {
+    to.side_x[k][to_lane] = from.side_x[k][lane];
+    to.side_y[k][to_lane] = from.side_y[k][lane];
+    to.side_c[k][to_lane] = from.side_c[k][lane];
+  }
+  to.node.child[to_lane] = from.node.child[lane];
+}
 
 // A run of the list of triangles.
 struct DropTree::Span {
@@ -64,11 +68,6 @@ struct DropTree::Span {
     }
     return parts;
   }
-  std::vector<Span> singles() const {
-    std::vector<Span> parts;
-    for (std::size_t i = 0; i < count; ++i) parts.push_back({triangle + i, start + i, 1});
-    return parts;
-  }
 };
 
 DropTree::DropTree(const std::vector<Triangle>& triangles) {
@@ -81,30 +80,37 @@ DropTree::DropTree(const std::vector<Triangle>& triangles) {
   extent_ = 0.5 * (hi - lo).maxCoeff();
   int halvings = 0;  // until no more than eight triangles are left
   while ((std::size_t{kDropWidth} << halvings) < triangles.size()) ++halvings;
-  nodes_.emplace_back();
-  add(0, halvings, {triangles.data(), 0, triangles.size()});
+  add_node(halvings, {triangles.data(), 0, triangles.size()});
 }
 
-// Fills node `at`, whose span becomes spans of single triangles' nodes by so many halvings. The root takes
-// what three halvings a level leave over, so that the nodes below it are full.
-void DropTree::add(std::size_t at, int halvings, const Span& span) {
-  clear(nodes_[at]);
+// A span that becomes leaves by so many halvings. The root takes what three halvings a level leave over, so
+// that the nodes below it are full.
+std::int32_t DropTree::add_node(int halvings, const Span& span) {
+  const auto at = static_cast<std::int32_t>(nodes_.size());
+  nodes_.push_back(empty_drop_leaf().node);
   const int now = halvings == 0 ? 0 : (halvings - 1) % 3 + 1;
-  const std::vector<Span> parts = halvings == 0 ? span.singles() : span.halved(now);
-  for (std::size_t lane = 0; lane < parts.size(); ++lane) {
-    bound(nodes_[at], lane, parts[lane]);
-    if (halvings == 0) {
-      nodes_[at].child[lane] = ~static_cast<std::int32_t>(parts[lane].start);
-      continue;
-    }
-    const std::size_t next = nodes_.size();
-    nodes_[at].child[lane] = static_cast<std::int32_t>(next);
-    nodes_.emplace_back();
-    add(next, halvings - now, parts[lane]);
+  int lane = 0;
+  for (const Span& part : span.halved(now)) {
+    bound(nodes_[at], lane, part);
+    const std::int32_t child = halvings == now ? ~add_leaf(part) : add_node(halvings - now, part);
+    nodes_[at].child[lane++] = child;
   }
+  return at;
 }
 
-void DropTree::bound(DropNode& node, std::size_t lane, const Span& span) const {
+std::int32_t DropTree::add_leaf(const Span& span) {
+  DropLeaf leaf = empty_drop_leaf();
+  for (int lane = 0; lane < static_cast<int>(span.count); ++lane) {
+    const std::size_t one = static_cast<std::size_t>(lane);
+    bound(leaf.node, lane, {span.triangle + one, span.start + one, 1});
+    bound_sides(leaf, lane, span.triangle[one]);
+    leaf.node.child[lane] = static_cast<std::int32_t>(span.start + one);
+  }
+  leaves_.push_back(leaf);
+  return static_cast<std::int32_t>(leaves_.size()) - 1;
+}
+
+void DropTree::bound(DropNode& node, int lane, const Span& span) const {
   Vec3 lo = Vec3::Constant(kInfinity), hi = -lo;
   const Vec2 slope = mean_slope(span.triangle, span.count).cast<float>().cast<double>();
   double height = -kInfinity;
@@ -128,43 +134,27 @@ void DropTree::bound(DropNode& node, std::size_t lane, const Span& span) const {
   node.stretch[lane] = above(std::sqrt(1.0 + slope.squaredNorm()));
 }
 
-DropBall drop_ball_over(const DropTree& tree, double x, double y, double radius) {
-  const double cx = x - tree.middle().x(), cy = y - tree.middle().y();
-  const double more = kFloatError * radius, larger = radius * (1.0 + 4.0 * kFloatError);
-  return {below(cx - more),           above(cx + more),
-          below(cy - more),           above(cy + more),
-          static_cast<float>(radius), above(larger),
-          above(larger * larger),     below((0.5 - kFloatError) / radius)};
-}
-
-PATCHMILL_VECTOR_CLONES
-void drop_bounds(const DropNode& node, const DropBall& of, float best, DropNode::Row& bound) {
-  const DropBall ball = of;
-  const float none = -std::numeric_limits<float>::infinity();
-  DropNode::Row found;
-  for (int i = 0; i < kDropWidth; ++i) {
-    const float dx =
-        std::max(std::max(node.lo_x[i] - ball.high_x, ball.low_x - node.hi_x[i]), 0.0f);
-    const float dy =
-        std::max(std::max(node.lo_y[i] - ball.high_y, ball.low_y - node.hi_y[i]), 0.0f);
-    const float d2 = dx * dx + dy * dy;
-    const float share = ball.ahead / node.stretch[i];
-    const float qx = share * node.slope_x[i], qy = share * node.slope_y[i];
-    const float ex = std::max(
-        std::max(node.lo_x[i] - (ball.high_x + qx), (ball.low_x + qx) - node.hi_x[i]), 0.0f);
-    const float ey = std::max(
-        std::max(node.lo_y[i] - (ball.high_y + qy), (ball.low_y + qy) - node.hi_y[i]), 0.0f);
-    const float on_lid = (node.slope_x[i] * ball.low_x + node.slope_y[i] * ball.low_y) +
-                         node.height[i] + ball.radius * node.stretch[i] -
-                         (ex * ex + ey * ey) * ball.half_curve;
-    // sqrt(R^2 - d^2) <= R - d^2 / 2R; and against `best` the root itself, squared
-    const float on_box = node.top[i] + ball.radius - d2 * ball.half_curve;
-    const float gap = std::max(best - node.top[i], 0.0f);
-    const float most = std::min(on_box, on_lid);
-    const bool cannot = gap * gap + d2 >= ball.radius2 || !(most > best);
-    found[i] = cannot ? none : most;
+// Along a plane with the unit normal N the length of a step in the plan by n across a side is 1 / sqrt(1 - (n . N)^2)
+// for each unit of n; so much longer is the n that is kept. A side of no length in the plan has no line, and none is
+// needed: it holds nothing back.
+void DropTree::bound_sides(DropLeaf& leaf, int lane, const Triangle& t) const {
+  const Vec2 corner[3] = {(t.a - middle_).head<2>(), (t.b - middle_).head<2>(),
+                          (t.c - middle_).head<2>()};
+  const Vec2 slope(leaf.node.slope_x[lane], leaf.node.slope_y[lane]);
+  const Vec2 normal = -slope / std::sqrt(1.0 + slope.squaredNorm());
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 &p = corner[k], &q = corner[(k + 1) % 3], &across = corner[(k + 2) % 3];
+    const double length = (q - p).norm();
+    if (length == 0.0) continue;
+    Vec2 n = Vec2(q.y() - p.y(), p.x() - q.x()) / length;
+    if (n.dot(across - p) > 0.0) n = -n;
+    n /= std::sqrt(1.0 - n.dot(normal) * n.dot(normal));
+    const Vec2 m = n.cast<float>().cast<double>();
+    const double furthest = std::max({m.dot(p), m.dot(q), m.dot(across)});
+    leaf.side_x[k][lane] = static_cast<float>(m.x());
+    leaf.side_y[k][lane] = static_cast<float>(m.y());
+    leaf.side_c[k][lane] = below(-furthest - 4.0 * kFloatError * extent_ * m.norm());
   }
-  std::copy_n(found, kDropWidth, bound);
 }
 
 }  // namespace patchmill

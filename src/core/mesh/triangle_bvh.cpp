@@ -103,6 +103,11 @@ std::int32_t TriangleBvh::split(std::int32_t at, const std::vector<Vec3>& middle
   return left;
 }
 
+Vec3 closest_on(const Triangle& t, const Vec3& p) {
+  const Vec3 w = closest_weights(t, p);
+  return w[0] * t.a + w[1] * t.b + w[2] * t.c;
+}
+
 ClosestPoint closest_point(const TriangleBvh& bvh, const Vec3& p, double reach) {
   ClosestPoint best;
   best.distance = reach;

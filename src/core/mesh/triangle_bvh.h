@@ -44,6 +44,9 @@ struct ClosestPoint {
   double distance = std::numeric_limits<double>::infinity();
 };
 
+/// The point of a triangle nearest to `p`.
+Vec3 closest_on(const Triangle& triangle, const Vec3& p);
+
 /// The point of the mesh nearest to `p`, among those nearer than `reach` [mm].
 ClosestPoint closest_point(const TriangleBvh& bvh, const Vec3& p,
                            double reach = std::numeric_limits<double>::infinity());

@@ -1,7 +1,6 @@
 // The dropped ball: closed forms, and a slow reference that comes down step by step.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/copy/drop_cutter.h"
-
+#include "core/copy/drop_probe.h"
 #include "voxel/shapes.h"
 
 #include <cmath>
@@ -67,36 +66,73 @@ RC_GTEST_PROP(DropBall, EqualsSphereTracingOnRandomTriangles, (unsigned seed)) {
   }
 }
 
-// As the largest over all triangles, and from wherever the search begins: the same to the last bit. Triangles
-// of all sizes and slopes, slivers and upright ones among them, far from the origin too.
-RC_GTEST_PROP(DropBall, IsTheLargestOverAllTrianglesWhateverTheHint, (unsigned seed)) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(-6, 6), share(0, 1);
-  const Vec3 far = std::pow(10.0, 4.0 * share(random)) * Vec3(share(random), 1, -share(random));
+// Triangles of all sizes and slopes, slivers and upright ones among them, far from the origin too.
+struct RandomTriangles {
+  std::mt19937 random;
+  Vec3 far;
+  double radius;
   TriangleMesh mesh;
-  const int count = 1 + static_cast<int>(random() % 600);
-  for (int i = 0; i < count; ++i) {
-    const double size = std::pow(10.0, -3.0 * share(random));
-    const Vec3 middle = far + Vec3(place(random), place(random), place(random));
-    for (int k = 0; k < 3; ++k)
-      mesh.vertices.push_back(middle + size * Vec3(place(random), place(random), place(random)));
-    if (i % 5 == 0) mesh.vertices[3 * i + 2].head<2>() = mesh.vertices[3 * i].head<2>();
-    if (i % 7 == 0)
-      mesh.vertices[3 * i + 2] += 0.999 * (mesh.vertices[3 * i + 1] - mesh.vertices[3 * i + 2]);
-    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+
+  explicit RandomTriangles(unsigned seed) : random(seed) {
+    far = std::pow(10.0, 4.0 * share()) * Vec3(share(), 1, -share());
+    radius = std::pow(10.0, 2.0 * share() - 1.0);
+    const int count = 1 + static_cast<int>(random() % 600);
+    for (int i = 0; i < count; ++i) {
+      const double size = std::pow(10.0, -3.0 * share());
+      const Vec3 middle = far + Vec3(place(), place(), place());
+      for (int k = 0; k < 3; ++k)
+        mesh.vertices.push_back(middle + size * Vec3(place(), place(), place()));
+      if (i % 5 == 0) mesh.vertices[3 * i + 2].head<2>() = mesh.vertices[3 * i].head<2>();
+      if (i % 7 == 0)
+        mesh.vertices[3 * i + 2] += 0.999 * (mesh.vertices[3 * i + 1] - mesh.vertices[3 * i + 2]);
+      mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
   }
-  const TriangleBvh bvh(mesh);
-  const double radius = std::pow(10.0, 2.0 * share(random) - 1.0);
-  DropHint before;
+  double share() { return std::uniform_real_distribution<double>(0, 1)(random); }
+  double place() { return std::uniform_real_distribution<double>(-6, 6)(random); }
+  double largest(const TriangleBvh& bvh, double x, double y) const {
+    double z = kNoContact;
+    for (const Triangle& t : bvh.triangles()) z = std::max(z, drop_ball_on(t, x, y, radius));
+    return z;
+  }
+};
+
+RC_GTEST_PROP(DropBall, IsTheLargestOverAllTriangles, (unsigned seed)) {
+  RandomTriangles some(seed);
+  const TriangleBvh bvh(some.mesh);
   for (int i = 0; i < 20; ++i) {
-    const double x = far.x() + place(random), y = far.y() + place(random);
-    double largest = kNoContact;
-    for (const Triangle& t : bvh.triangles())
-      largest = std::max(largest, drop_ball_on(t, x, y, radius));
-    RC_ASSERT(drop_ball(bvh, x, y, radius) == largest);
-    RC_ASSERT(drop_ball(bvh, x, y, radius, before) == largest);
-    DropHint any{static_cast<std::int32_t>(random() % static_cast<unsigned>(count))};
-    RC_ASSERT(drop_ball(bvh, x, y, radius, any) == largest);
+    const double x = some.far.x() + some.place(), y = some.far.y() + some.place();
+    RC_ASSERT(drop_ball(bvh, x, y, some.radius) == some.largest(bvh, x, y));
+  }
+}
+
+// To the last bit, on ways with long and short steps, to and fro, jumps, and the same place twice.
+RC_GTEST_PROP(DropProbe, IsTheLargestOverAllTriangles, (unsigned seed)) {
+  RandomTriangles some(seed);
+  const TriangleBvh bvh(some.mesh);
+  DropProbe probe(bvh, some.radius);
+  for (int line = 0; line < 4; ++line) {
+    Vec2 p = some.far.head<2>() + Vec2(some.place(), some.place());
+    Vec2 step = std::pow(10.0, -3.0 * some.share()) * Vec2(some.place(), some.place());
+    if (line % 2 == 0) step.y() = 0.0;
+    for (int i = 0; i < 25; ++i) {
+      RC_ASSERT(probe(p.x(), p.y()) == some.largest(bvh, p.x(), p.y()));
+      p += i % 5 == 3 ? Vec2(-0.6 * step) : i % 5 == 4 ? Vec2::Zero() : step;
+    }
+  }
+}
+
+TEST(DropProbe, FollowsSmoothAndSteepPartsToTheLastBit) {
+  for (const TriangleMesh& mesh : {shapes::convex_part(40), shapes::sphere(Vec3(20, 20, 5), 12, 4),
+                                   box_mesh(Vec3(10, 10, 0), Vec3(30, 40, 7))}) {
+    const TriangleBvh bvh(mesh);
+    for (const double radius : {0.3, 3.0, 11.0}) {
+      DropProbe probe(bvh, radius);
+      for (int i = 0; i < 6000; ++i) {
+        const double x = -4.0 + 0.3 * (i % 200), y = -4.0 + 1.9 * (i / 200);
+        ASSERT_EQ(probe(x, y), drop_ball(bvh, x, y, radius)) << x << ' ' << y << ' ' << radius;
+      }
+    }
   }
 }
 
