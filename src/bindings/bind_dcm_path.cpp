@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
+#include "bindings/voxel_materials.h"
 #include "core/copy/chosen_faces.h"
 #include "core/copy/copy_milling.h"
 #include "core/copy/live_session.h"
@@ -200,11 +201,16 @@ LiveConditions changed(const LiveConditions& now, const std::optional<double>& r
 void bind_live(py::module_& m) {
   py::class_<LiveSession>(m, "LiveSession", "Copy milling made while the tool cuts. mm, s.")
       .def(py::init([](const Solid& part, const VoxelGrid& grid, const CopyOptions& options,
-                       double low, double high) {
-             return LiveSession(part.bvh, grid, options, {low, high});
+                       double low, double high, const VoxelMaterials* materials,
+                       const std::vector<double>& factors) {
+             FeedFactors found;
+             if (materials) found = {materials->number, factors};
+             return LiveSession(part.bvh, grid, options, {low, high}, {}, std::move(found));
            }),
            py::arg("part"), py::arg("grid"), py::arg("options"), py::arg("low"), py::arg("high"),
-           py::keep_alive<1, 2>(), py::keep_alive<1, 3>())
+           py::arg("materials") = nullptr, py::arg("factors") = std::vector<double>(),
+           py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
+           "V_Lo and V_Hi in mm/s; `factors` on the feed, the stock's own first, as scale_feed's.")
       .def("next", &LiveSession::next, py::arg("seconds"), py::call_guard<py::gil_scoped_release>(),
            "ToolPath of the next moves, at most `seconds`; without moves when all is cut.")
       .def(

@@ -19,18 +19,26 @@ import _patchmill as core
 SHORTEST = 1e-6  # mm
 
 
-def start(operation, voxel_size, low, high, memory_limit=4096.0):
+def start(operation, voxel_size, low, high, memory_limit=4096.0, materials=()):
     """A _patchmill.LiveSession over a CopyMilling operation in scanning lines: its tool, depths, tolerance,
-    stock and part; V_Lo and V_Hi in mm/s. Raises InputError naming the property."""
+    stock and part; V_Lo and V_Hi in mm/s; `materials` as the lines of a DressupDCM's. Raises InputError naming
+    the property."""
     from patchmill import copy_milling, removal_model
+    from patchmill.materials import of_lines
 
     given = copy_milling.input_of(operation)
     options, part = copy_milling.live_options(given)
-    deflection = max(0.01, given.tolerance)
     voxels = removal_model.ModelInput(
-        given.stock, given.model, voxel_size, deflection, memory_limit, False
+        given.stock,
+        given.model,
+        voxel_size,
+        max(0.01, given.tolerance),
+        memory_limit,
+        False,
+        materials=of_lines(materials, operation.Document, given.stock),
     )
-    return core.LiveSession(part, removal_model.make(voxels).grid, options, low, high)
+    model = removal_model.make(voxels)
+    return core.LiveSession(part, model.grid, options, low, high, model.materials, model.factors)
 
 
 def lines(batch):

@@ -221,6 +221,20 @@ class CopyMillingTest(WithDocuments):
         self.assertLessEqual(max(feeds), 1200.1)
         self.assertGreater(max(feeds), 800.1)
 
+    def test_a_live_session_knows_materials(self):
+        document, job = job_with_stock(make_parts.convex_part(), 1.0)
+        operation, _ = self.mill(job, RadialDepth=5.0, AxialDepth=8.0)
+        feeds = []
+        for materials in ([], ["skin 0.25 4"]):
+            session = patchmill.live.start(operation, 2.0, 10.0, 10.0, materials=materials)
+            words = list(patchmill.live.lines(session.next(60.0)))
+            feeds.append([float(line.split("F")[1]) / 60.0 for line in words if "F" in line])
+        self.assertAlmostEqual(min(feeds[0]), 10.0, 3)
+        self.assertAlmostEqual(min(feeds[1]), 2.5, 3)
+        with self.assertRaises(InputError) as caught:
+            patchmill.live.start(operation, 2.0, 10.0, 10.0, materials=["skin 0.25"])
+        self.assertEqual(caught.exception.property, "Materials")
+
     def test_same_input_same_path(self):
         document, job = job_with_stock(make_parts.convex_part(), 1.0)
         _, a = self.mill(job, RadialDepth=5.0, AxialDepth=8.0, Mode="Contour")

@@ -47,16 +47,23 @@ std::vector<Vec2> beyond(const std::vector<Vec2>& profile, double x, bool backwa
 }  // namespace
 
 LiveSession::LiveSession(const TriangleBvh& part, const VoxelGrid& grid, const CopyOptions& options,
-                         const FeedLimits& feed, const DcmOptions& dcm)
-    : part_(part), grid_(grid), options_(options), dcm_(dcm) {
+                         const FeedLimits& feed, const DcmOptions& dcm, FeedFactors factors)
+    : part_(part), grid_(grid), options_(options), dcm_(dcm), factors_(std::move(factors)) {
   if (options.mode != CopyMode::Scanning)
     throw InputError("Mode", "not Scanning", "a live session cuts scanning lines.");
   conditions_ = {options.radial_depth, options.axial_depth, feed};
   check(conditions_);
   require_valid(options);
-  feed_ = steady_feed(grid, feed);
+  feed_ = field_of(feed);
+  for (const double factor : factors_.factor) slowest_ = std::min(slowest_, factor);
   at_ = Vec3(options.stock.lo.x(), options.stock.lo.y(), safe(options));
   height_[-std::numeric_limits<double>::infinity()] = options.stock.hi.z() + options.tool.radius;
+}
+
+FeedField LiveSession::field_of(const FeedLimits& limits) const {
+  FeedField field = steady_feed(grid_, limits);
+  if (!factors_.material.empty()) scale_feed(field, factors_.material, factors_.factor);
+  return field;
 }
 
 double LiveSession::material(double y_from, double y_to) const {
@@ -148,7 +155,7 @@ void LiveSession::change(const LiveConditions& conditions) {
   const bool feed =
       conditions.feed.low != conditions_.feed.low || conditions.feed.high != conditions_.feed.high;
   const bool depth = conditions.axial_depth != conditions_.axial_depth;
-  if (feed) feed_ = steady_feed(grid_, conditions.feed);
+  if (feed) feed_ = field_of(conditions.feed);
   conditions_ = conditions;
   if (depth && !steps_.empty()) replan_line();
 }
@@ -160,8 +167,8 @@ ToolPath LiveSession::next(double seconds) {
   batch.tool = options_.tool;
   batch.spindle = options_.spindle;
   batch.start.tip = at_ - down;
-  // no move is slower than V_Lo: so much length takes no more than the time
-  double left = seconds * conditions_.feed.low;
+  // no move is slower than V_Lo times the least factor: so much length takes no more than the time
+  double left = seconds * conditions_.feed.low * slowest_;
   while (left > kSame && !done_) {
     if (steps_.empty() && !plan_line()) {
       done_ = true;

@@ -11,6 +11,7 @@
 
 #include "core/copy/copy_milling.h"
 #include "core/dcm/apply_dcm.h"
+#include "core/dcm/materials.h"
 
 #include <deque>
 #include <map>
@@ -27,9 +28,10 @@ struct LiveConditions {
 class LiveSession {
  public:
   /// `part` and `grid` must live as long as the session. The mode of `options` must be Scanning; its depths
-  /// are the first conditions. Errors: InputError as copy_mill and steady_feed, or naming the mode.
+  /// are the first conditions. `factors` hold for all feed limits that are given. Errors: InputError as
+  /// copy_mill, steady_feed and scale_feed, or naming the mode.
   LiveSession(const TriangleBvh& part, const VoxelGrid& grid, const CopyOptions& options,
-              const FeedLimits& feed, const DcmOptions& dcm = {});
+              const FeedLimits& feed, const DcmOptions& dcm = {}, FeedFactors factors = {});
 
   /// The next moves: a path of at most `seconds` [s, > 0] of timed moves from where the last one ended;
   /// without moves once all is cut. No more than one base move is planned beyond it.
@@ -52,6 +54,7 @@ class LiveSession {
   bool plan_line();
   void plan_runs(const std::vector<Vec2>& profile, bool go_on);
   void replan_line();
+  FeedField field_of(const FeedLimits& limits) const;
   double material(double y_from, double y_to) const;
   void set_material(double y_from, double y_to, double height);
 
@@ -59,6 +62,8 @@ class LiveSession {
   const VoxelGrid& grid_;
   CopyOptions options_;
   DcmOptions dcm_;
+  FeedFactors factors_;
+  double slowest_ = 1.0;  // least factor on the feed
   LiveConditions conditions_;
   FeedField feed_;
   std::map<double, double> height_;  // from this y on, up to the next key: of the ball centre [mm]

@@ -31,6 +31,13 @@ std::vector<std::uint8_t> materials_of(const VoxelGrid& grid,
 /// of voxels.
 void require_over(const VoxelGrid& grid, const std::vector<std::uint8_t>& material);
 
+/// What materials do to the feed: the material of each stored voxel, and a factor for each material, the stock's own
+/// first. Without materials, nothing.
+struct FeedFactors {
+  std::vector<std::uint8_t> material;
+  std::vector<double> factor;
+};
+
 /// Multiplies the feed of each voxel by the factor of its material; factor[0] is that of the stock's own.
 /// Errors: InputError naming Materials if a factor is missing, or not above zero and finite, or if the numbers
 /// are of another grid than the field.

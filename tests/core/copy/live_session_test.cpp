@@ -3,6 +3,7 @@
 #include "core/copy/live_session.h"
 
 #include "core/copy/drop_cutter.h"
+#include "core/dcm/field_reader.h"
 #include "core/geometry/error.h"
 #include "core/voxel/voxelise.h"
 #include "voxel/shapes.h"
@@ -163,6 +164,47 @@ TEST(LiveSession, GoesOnFromWhereItIsWhenConditionsChange) {
   check.expect_finished(f, 3.0);
 }
 
+// With V_Lo = V_Hi = v the steady field is v everywhere, so that the feed is v times the factor wherever all
+// voxels that are read are of one material.
+TEST(LiveSession, SlowsInAMaterialBeforeAndAfterAChange) {
+  const Fixture f;
+  const TriangleMesh insert = box_mesh(Vec3(-1, -1, -1), Vec3(25, 51, 31));
+  const TriangleBvh insert_bvh(insert);
+  const FeedFactors factors{materials_of(f.grid, {{&insert, &insert_bvh}}), {1.0, 0.25}};
+  double v = 8.0;
+  LiveSession session(f.bvh, f.grid, f.options, {v, v}, {}, factors);
+  Check check;
+  int slow = 0, plain = 0;
+  for (int batches = 0; !session.done(); ++batches) {
+    ASSERT_LT(batches, 100000);
+    if (batches == 3000) session.change({2.0, 3.0, {v = 16.0, v}});
+    const ToolPath path = session.next(0.7);
+    check.batch(f, path, 0.7);
+    Vec3 from = ball_centre(path.start, kRadius);
+    for (const Move& move : path.moves) {
+      const Vec3 to = ball_centre(move.end, kRadius);
+      double least = 1.0, most = 0.0;
+      for (const Vec3& p : {from, to}) {
+        const ReadingStencil at = reading_stencil(f.grid, p, Reading::Trilinear);
+        for (int i = 0; i < at.size; ++i) {
+          least = std::min(least, factors.factor[factors.material[at.cell[i]]]);
+          most = std::max(most, factors.factor[factors.material[at.cell[i]]]);
+        }
+        if (at.air > 0.0) most = 1.0;
+      }
+      if (move.kind != MoveKind::Rapid && (to - from).norm() > 1e-6 && least == most) {
+        ASSERT_NEAR((to - from).norm() / duration(move, path.spindle), least * v, 1e-6);
+        ++(least < 1.0 ? slow : plain);
+      }
+      from = to;
+    }
+  }
+  EXPECT_GT(slow, 1000);
+  EXPECT_GT(plain, 1000);
+  EXPECT_NEAR(check.slowest, 2.0, 1e-6);
+  std::printf("%d moves in the material, %d outside\n", slow, plain);
+}
+
 TEST(LiveSession, RefusesAConditionAndStaysAsItWas) {
   const Fixture f;
   LiveSession session(f.bvh, f.grid, f.options, kFeed);
@@ -176,6 +218,8 @@ TEST(LiveSession, RefusesAConditionAndStaysAsItWas) {
   CopyOptions contour = f.options;
   contour.mode = CopyMode::Contour;
   EXPECT_THROW(LiveSession(f.bvh, f.grid, contour, kFeed), InputError);
+  const FeedFactors missing{std::vector<std::uint8_t>(f.grid.kind.size(), 1), {1.0}};
+  EXPECT_THROW(LiveSession(f.bvh, f.grid, f.options, kFeed, {}, missing), InputError);
 }
 
 }  // namespace
