@@ -60,8 +60,7 @@ py::tuple apply(const ToolPath& path, const VoxelGrid& grid, const FeedField* fe
   DcmOptions options =
       dcm_options(reading, read_at, feed_tolerance, axis_tolerance, axis_rate, acceleration);
   const auto sections = holder_of(holder);
-  ClearOptions limits = clear_options(clearance, lowest);
-  limits.clearance += limits.resolution;  // to which distances are found: the stated one is kept
+  const ClearOptions limits = clear_options(clearance, lowest);
   std::int64_t not_clear = 0;
   if (part && !sections.empty())
     options.axis_rule = [&](const Vec3& centre, const Vec3& wanted) {

@@ -89,19 +89,23 @@ class Finder {
   Vec3 place_ = Vec3::Zero();
 };
 
-// Is an axis clear? Points of the part that were in the way before are asked first, the last one of all.
+// Is an axis clear? A distance that is found may be too large by the resolution: so much is asked for beyond the
+// clearance. Points of the part that were in the way before are asked first, the last one of all.
 class Judge {
  public:
   Judge(const TriangleBvh& part, const std::vector<HolderSection>& holder, const Vec3& centre,
         const ClearOptions& options)
-      : part_(part), holder_(holder), centre_(centre), options_(options) {}
+      : part_(part),
+        holder_(holder),
+        centre_(centre),
+        options_(options),
+        asked_(options.clearance + options.resolution) {}
 
   bool clear(const Vec3& axis) {
     if (axis.z() < std::cos(options_.lowest.radians()) - 1e-12 || blocked_before(axis))
       return false;
-    Finder finder(part_, centre_, axis, options_.resolution, options_.clearance);
-    if (finder.least(holder_, options_.clearance + options_.resolution) >= options_.clearance)
-      return true;
+    Finder finder(part_, centre_, axis, options_.resolution, asked_);
+    if (finder.least(holder_, asked_ + options_.resolution) >= asked_) return true;
     if (blockers_.size() == kMost) blockers_.pop_back();
     blockers_.insert(blockers_.begin(), finder.place());
     return false;
@@ -113,7 +117,7 @@ class Judge {
   bool blocked_before(const Vec3& axis) {
     for (auto p = blockers_.begin(); p != blockers_.end(); ++p)
       for (const HolderSection& section : holder_)
-        if (frustum_distance(section, centre_, axis, *p).value < options_.clearance) {
+        if (frustum_distance(section, centre_, axis, *p).value < asked_) {
           std::rotate(blockers_.begin(), p, p + 1);
           return true;
         }
@@ -124,6 +128,7 @@ class Judge {
   const std::vector<HolderSection>& holder_;
   Vec3 centre_;
   const ClearOptions& options_;
+  double asked_;  // distance [mm]
   std::vector<Vec3> blockers_;
 };
 

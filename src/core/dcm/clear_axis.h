@@ -35,8 +35,9 @@ struct ClearAxis {
       false;  ///< false: no axis within `most` of the wanted one is; then `axis` is the wanted
 };
 
-/// The axis nearest to `wanted` with which the holder is clear, the ball at `centre`. Errors: InputError
-/// naming an option or a section out of range.
+/// The axis nearest to `wanted` with which the holder is no nearer to the part than the clearance, the ball at
+/// `centre`; one that clears it by less than the resolution may be left out. Errors: InputError naming an option
+/// or a section out of range.
 ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& holder,
                      const Vec3& centre, const Vec3& wanted, const ClearOptions& options = {});
 
