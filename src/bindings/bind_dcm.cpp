@@ -193,22 +193,26 @@ void bind_grid(py::module_& m) {
            "(places, unit axes), both (n, 3), of every stride-th voxel to be removed.");
   m.def(
       "estimate_voxels",
-      [](const Solid& stock, const Solid& part, double pitch, int posture_fields) {
+      [](const Solid& stock, const Solid& part, double pitch, int posture_fields, bool materials) {
         const GridFrame frame = frame_over(bounds(stock.mesh), pitch);
-        return estimate_dict(
-            estimate_memory(frame, std::max(0.0, volume(stock.mesh) - volume(part.mesh)),
-                            surface_area(stock.mesh) + surface_area(part.mesh), posture_fields));
+        return estimate_dict(estimate_memory(
+            frame, std::max(0.0, volume(stock.mesh) - volume(part.mesh)),
+            surface_area(stock.mesh) + surface_area(part.mesh), posture_fields, materials));
       },
       py::arg("stock"), py::arg("part"), py::arg("pitch"), py::arg("posture_fields") = 2,
-      "Bytes foreseen, nothing allocated. `posture_fields`: 2 angles or 3 components.");
+      py::arg("materials") = false,
+      "Bytes foreseen, nothing allocated. `posture_fields`: 2 angles or 3 components; `materials`: "
+      "whether there are other than the stock's own.");
   m.def(
       "voxelise",
-      [](const Solid& stock, const Solid& part, double pitch, double limit, int posture_fields) {
-        return voxelise(stock.mesh, part.mesh, {pitch, limit, posture_fields});
+      [](const Solid& stock, const Solid& part, double pitch, double limit, int posture_fields,
+         bool materials) {
+        return voxelise(stock.mesh, part.mesh, {pitch, limit, posture_fields, materials});
       },
       py::arg("stock"), py::arg("part"), py::arg("pitch"),
       py::arg("memory_limit") = VoxelOptions().memory_limit, py::arg("posture_fields") = 2,
-      py::call_guard<py::gil_scoped_release>(), "VoxelGrid with cubes of side `pitch` [mm].");
+      py::arg("materials") = false, py::call_guard<py::gil_scoped_release>(),
+      "VoxelGrid with cubes of side `pitch` [mm].");
   m.def(
       "save_voxels",
       [](const std::string& path, const std::string& key, const VoxelGrid& grid,

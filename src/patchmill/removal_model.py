@@ -163,7 +163,7 @@ def estimate(given):
     _check(given)
     part = _solid(given.part, given.deflection, "Model")
     stock = _solid(given.stock, given.deflection, "Stock")
-    return core.estimate_voxels(stock, part, given.pitch, given.posture_fields)
+    return core.estimate_voxels(stock, part, given.pitch, given.posture_fields, bool(given.materials))
 
 
 def file_beside(document, name):
@@ -182,7 +182,10 @@ def _check(given):
 
 def _new(given, stock, part, bodies, progress):
     try:
-        grid = core.voxelise(stock, part, given.pitch, given.memory_limit * MIB, given.posture_fields)
+        limit = given.memory_limit * MIB
+        grid = core.voxelise(
+            stock, part, given.pitch, limit, given.posture_fields, bool(given.materials)
+        )
     except InputError as error:  # the core's own names are not the properties'
         names = {"voxel size": "VoxelSize", "part": "Model", "stock": "Stock", "removal volume": "Stock"}
         raise InputError(names.get(error.property, error.property), error.value, error.remedy) from error

@@ -29,17 +29,18 @@ std::array<std::int64_t, kVoxelKinds> count_kinds(const VoxelGrid& grid) {
 
 namespace {
 
-MemoryEstimate of_bricks(double bricks, double box_bricks, int posture_fields) {
+MemoryEstimate of_bricks(double bricks, double box_bricks, int posture_fields, bool materials) {
   const double cells = bricks * kBrickCells;
   MemoryEstimate need;
   // numbers and flags per brick of the box; per stored brick its place and neighbours; the kinds twice, since the
   // pieces from which they are gathered are small and the allocator may keep them
   need.grid = 5.0 * box_bricks + bricks * (sizeof(Cell) + 6.0 * sizeof(std::int32_t)) + 2.0 * cells;
-  need.fields = cells * (3.0 * sizeof(double) + posture_fields * sizeof(float));
+  need.fields =
+      cells * (3.0 * sizeof(double) + posture_fields * sizeof(float) + (materials ? 1.0 : 0.0));
   const double solving =
       static_cast<double>(laplace_bytes(static_cast<std::size_t>(bricks), posture_fields)) +
       cells * posture_fields * sizeof(double);
-  // the posture is solved before the feed fields are made: the peak is the larger of the two
+  // the posture is solved before materials and feed fields are made: the peak is the larger of the two
   need.solver = std::max(0.0, solving - need.fields);
   return need;
 }
@@ -47,15 +48,15 @@ MemoryEstimate of_bricks(double bricks, double box_bricks, int posture_fields) {
 }  // namespace
 
 MemoryEstimate estimate_memory(const GridFrame& frame, double volume, double area,
-                               int posture_fields) {
+                               int posture_fields, bool materials) {
   const double side = frame.pitch * kBrickSide, box = brick_box(frame.cells).cast<double>().prod();
   const double bricks = volume / (side * side * side) + 1.5 * area / (side * side);
-  return of_bricks(std::min(bricks, box), box, posture_fields);
+  return of_bricks(std::min(bricks, box), box, posture_fields, materials);
 }
 
-MemoryEstimate memory_of(const BrickTable& table, int posture_fields) {
+MemoryEstimate memory_of(const BrickTable& table, int posture_fields, bool materials) {
   return of_bricks(static_cast<double>(table.size()), table.bricks.cast<double>().prod(),
-                   posture_fields);
+                   posture_fields, materials);
 }
 
 void require_memory(const MemoryEstimate& need, double limit, const GridFrame& frame) {

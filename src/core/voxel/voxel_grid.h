@@ -52,20 +52,21 @@ std::array<std::int64_t, kVoxelKinds> count_kinds(const VoxelGrid& grid);
 
 /// Bytes for a job, and the refusal of one that is too large.
 struct MemoryEstimate {
-  double grid = 0.0;    ///< the voxel model itself
-  double fields = 0.0;  ///< feed (three doubles) and posture (floats) of every stored voxel
+  double grid = 0.0;  ///< the voxel model itself
+  double fields =
+      0.0;  ///< of every stored voxel: feed (three doubles), posture (floats), material (a byte)
   double solver = 0.0;  ///< what solving the posture, done first, takes beyond that
   double total() const { return grid + fields + solver; }
 };
 
 /// Foreseen from the volume [mm^3] that will be stored and the area [mm^2] that bounds it: a
 /// surface of random direction and area A meets 1.5 A / L^2 cubes of side L. The posture has `posture_fields`
-/// components: two angles, or three of the unit vector.
+/// components: two angles, or three of the unit vector; `materials`: whether there are other than the stock's own.
 MemoryEstimate estimate_memory(const GridFrame& frame, double volume, double area,
-                               int posture_fields = 2);
+                               int posture_fields = 2, bool materials = false);
 
 /// Exact, for bricks that are known.
-MemoryEstimate memory_of(const BrickTable& table, int posture_fields = 2);
+MemoryEstimate memory_of(const BrickTable& table, int posture_fields = 2, bool materials = false);
 
 /// Throws InputError naming the bytes and the voxel size that would fit, if total() is over
 /// `limit`.

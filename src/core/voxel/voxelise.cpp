@@ -172,7 +172,8 @@ VoxelGrid voxelise(const TriangleMesh& stock, const TriangleMesh& part,
   const GridFrame frame = frame_over(bounds(stock), options.pitch);
   require_part_in_stock(bounds(stock), bounds(part), options.pitch);
   require_memory(estimate_memory(frame, std::max(0.0, volume(stock) - volume(part)),
-                                 surface_area(stock) + surface_area(part), options.posture_fields),
+                                 surface_area(stock) + surface_area(part), options.posture_fields,
+                                 options.materials),
                  options.memory_limit, frame);
   const ColumnTriangles stock_sorted = sort_into_columns(stock, frame);
   const ColumnTriangles part_sorted = sort_into_columns(part, frame);
@@ -196,7 +197,7 @@ VoxelGrid voxelise(const Inside& in_stock, const Inside& in_part, const GridFram
                    const VoxelOptions& options) {
   require_positive("voxel size", frame.pitch, "mm");
   const double box_volume = frame.box_cells() * std::pow(frame.pitch, 3);
-  require_memory(estimate_memory(frame, box_volume, 0.0, options.posture_fields),
+  require_memory(estimate_memory(frame, box_volume, 0.0, options.posture_fields, options.materials),
                  options.memory_limit, frame);
   Gathering gathering(frame);
   const Cell box = gathering.box;

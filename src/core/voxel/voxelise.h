@@ -21,6 +21,7 @@ struct VoxelOptions {
   double pitch = 0.0;                              ///< side of a voxel [mm], > 0
   double memory_limit = 4.0 * 1024 * 1024 * 1024;  ///< for the model and all fields [bytes]
   int posture_fields = 2;                          ///< of a posture to come, for that limit: 2 or 3
+  bool materials = false;                          ///< to come, for that limit
 };
 
 /// Cubes that cover the box, starting at its low corner.

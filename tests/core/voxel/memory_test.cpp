@@ -1,5 +1,6 @@
 // What voxel models take of memory against what was foreseen before it was taken.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/dcm/materials.h"
 #include "core/dcm/posture_field.h"
 #include "core/mesh/triangle_bvh.h"
 #include "core/voxel/voxelise.h"
@@ -65,6 +66,27 @@ INSTANTIATE_TEST_SUITE_P(Memory, PeakOf,
                          [](const testing::TestParamInfo<PostureForm>& form) {
                            return form.param == PostureForm::Angles ? "Angles" : "UnitVector";
                          });
+
+// A box of 20 million voxels and its materials, which take a byte each; touched, so that they are resident.
+TEST(Memory, MaterialsTakeWhatWasForeseen) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer has its own memory";
+#endif
+  const TriangleMesh stock = box_mesh(Vec3::Zero(), Vec3(320, 320, 200));
+  const TriangleMesh part = box_mesh(Vec3::Constant(50), Vec3::Constant(60));
+  const TriangleBvh bvh(stock);
+  const VoxelGrid grid = voxelise(stock, part, pitch(1.0));
+  const PeakMemory peak;
+  if (!peak.known()) GTEST_SKIP() << "this system does not say it";
+  const std::vector<std::uint8_t> material = materials_of(grid, {{&stock, &bvh}});
+  const double taken = peak.bytes();
+  const double foreseen =
+      memory_of(grid.table, 2, true).fields - memory_of(grid.table, 2, false).fields;
+  std::printf("peak %.1f MB of %.1f foreseen\n", 1e-6 * taken, 1e-6 * foreseen);
+  EXPECT_EQ(static_cast<double>(material.size()), foreseen);
+  EXPECT_GT(taken, 0.95 * foreseen);
+  EXPECT_LT(taken, 1.05 * foreseen + 1e6);  // and the threads' own
+}
 
 TEST(Memory, EstimateIsCloseToWhatIsStored) {
   const TriangleMesh stock = box_mesh(Vec3::Constant(-32), Vec3::Constant(32));
