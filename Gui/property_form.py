@@ -10,7 +10,19 @@ import re
 
 from PySide import QtCore, QtGui
 
-from patchmill_gui.property_rows import row_for
+from patchmill import axis_field
+
+from patchmill_gui.choice_rows import ChoiceRow, MachineRow, ObjectListRow, ObjectRow
+from patchmill_gui.property_rows import (
+    QUANTITIES,
+    FileRow,
+    FlagRow,
+    LinesRow,
+    NumberRow,
+    QuantityRow,
+    TextRow,
+    VectorRow,
+)
 from patchmill_gui.widgets import ERROR_COLOUR, let_shrink
 
 
@@ -124,3 +136,30 @@ class PropertyForm(QtCore.QObject):
             if mine:
                 row.group.heading.setChecked(True)
         return named in self.rows
+
+
+def row_for(kind, name, obj):
+    """The Row for a property of FreeCAD type `kind`."""
+    if name == "Machine":
+        return MachineRow(name, obj)
+    if name == "PostureField":
+        return ObjectRow(name, obj, axis_field.gives_field)
+    if kind in QUANTITIES:
+        return QuantityRow(name, obj)
+    if kind in ("App::PropertyInteger", "App::PropertyIntegerConstraint"):
+        return NumberRow(name, obj, True)
+    simple = {
+        "App::PropertyEnumeration": ChoiceRow,
+        "App::PropertyBool": FlagRow,
+        "App::PropertyVector": VectorRow,
+        "App::PropertyFile": FileRow,
+        "App::PropertyFileIncluded": FileRow,
+        "App::PropertyLink": ObjectRow,
+        "App::PropertyLinkListGlobal": ObjectListRow,
+        "App::PropertyStringList": LinesRow,
+    }
+    if kind in simple:
+        return simple[kind](name, obj)
+    if kind == "App::PropertyFloat":
+        return NumberRow(name, obj, False)
+    return TextRow(name, obj)

@@ -1,13 +1,12 @@
-"""Editors for FreeCAD properties, one class to a kind: what a row of a property form is made of.
+"""Editors for FreeCAD properties that hold a number, a text or a vector, one class to a kind: what a row of a
+property form is made of. Those that choose among what there is: choice_rows.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
-
-from patchmill import axis_field, machines
+from PySide import QtGui
 
 from patchmill_gui.resources import native
 
@@ -31,6 +30,12 @@ class Row:
         raise NotImplementedError
 
 
+def assign(obj, name, value):
+    """Sets a property of `obj`, if it has another value: given its own, too, an object counts as changed."""
+    if getattr(obj, name) != value:
+        setattr(obj, name, value)
+
+
 class QuantityRow(Row):
     def __init__(self, name, obj):
         editor = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
@@ -50,42 +55,6 @@ class QuantityRow(Row):
             self.shown = self.editor.property("text")
 
 
-class ChoiceRow(Row):
-    def __init__(self, name, obj):
-        editor = QtGui.QComboBox()
-        editor.addItems(obj.getEnumerationsOfProperty(name))
-        self.name = name
-        super().__init__(editor, editor.currentIndexChanged)
-
-    def show(self, obj):
-        self.editor.setCurrentText(getattr(obj, self.name))
-
-    def store(self, obj):
-        _assign(obj, self.name, self.editor.currentText())
-
-
-class MachineRow(Row):
-    """The machine files at hand; the empty name is 'none'."""
-
-    def __init__(self, name, obj):
-        editor = QtGui.QComboBox()
-        timed = hasattr(obj, "Strategy")  # a texture
-        editor.addItem("(none: phase not judged)" if timed else "(none: no limits)", "")
-        for key in machines.names():
-            editor.addItem(key, key)
-        self.name = name
-        super().__init__(editor, editor.currentIndexChanged)
-
-    def show(self, obj):
-        key = getattr(obj, self.name)
-        if self.editor.findData(key) < 0:
-            self.editor.addItem(key, key)
-        self.editor.setCurrentIndex(self.editor.findData(key))
-
-    def store(self, obj):
-        _assign(obj, self.name, self.editor.currentData())
-
-
 class NumberRow(Row):
     def __init__(self, name, obj, whole):
         editor = QtGui.QSpinBox() if whole else QtGui.QDoubleSpinBox()
@@ -100,7 +69,7 @@ class NumberRow(Row):
         self.editor.setValue(getattr(obj, self.name))
 
     def store(self, obj):
-        _assign(obj, self.name, self.editor.value())
+        assign(obj, self.name, self.editor.value())
 
 
 class FlagRow(Row):
@@ -113,7 +82,7 @@ class FlagRow(Row):
         self.editor.setChecked(getattr(obj, self.name))
 
     def store(self, obj):
-        _assign(obj, self.name, self.editor.isChecked())
+        assign(obj, self.name, self.editor.isChecked())
 
 
 class TextRow(Row):
@@ -126,7 +95,7 @@ class TextRow(Row):
         self.editor.setText(str(getattr(obj, self.name)))
 
     def store(self, obj):
-        _assign(obj, self.name, self.editor.text())
+        assign(obj, self.name, self.editor.text())
 
 
 class LinesRow(Row):
@@ -143,7 +112,7 @@ class LinesRow(Row):
 
     def store(self, obj):
         lines = [line.strip() for line in self.editor.toPlainText().splitlines() if line.strip()]
-        _assign(obj, self.name, lines)
+        assign(obj, self.name, lines)
 
 
 class FileRow(TextRow):
@@ -171,62 +140,7 @@ class FileRow(TextRow):
         self.line.setText(getattr(obj, self.name))
 
     def store(self, obj):
-        _assign(obj, self.name, self.line.text())
-
-
-class ObjectRow(Row):
-    """One of the document's objects that fit, with a shape if nothing else is asked, or none."""
-
-    def __init__(self, name, obj, fits=lambda other: hasattr(other, "Shape")):
-        editor = QtGui.QComboBox()
-        editor.addItem("(none)", "")
-        for other in obj.Document.Objects:
-            if fits(other) and other is not obj and obj not in other.OutListRecursive:
-                editor.addItem(other.Label, other.Name)
-        self.name = name
-        super().__init__(editor, editor.currentIndexChanged)
-
-    def show(self, obj):
-        linked = getattr(obj, self.name)
-        self.editor.setCurrentIndex(max(0, self.editor.findData(linked.Name if linked else "")))
-
-    def store(self, obj):
-        name = self.editor.currentData()
-        _assign(obj, self.name, obj.Document.getObject(name) if name else None)
-
-
-class ObjectListRow(Row):
-    """Any of the document's sketches and wires, ticked in a list."""
-
-    def __init__(self, name, obj):
-        editor = QtGui.QListWidget()
-        editor.setMaximumHeight(80)
-        for other in obj.Document.Objects:
-            shape = getattr(other, "Shape", None)
-            if shape is not None and shape.Edges and not shape.Faces:
-                item = QtGui.QListWidgetItem(other.Label, editor)
-                item.setData(QtCore.Qt.UserRole, other.Name)
-                item.setCheckState(QtCore.Qt.Unchecked)
-        self.name = name
-        super().__init__(editor, editor.itemChanged)
-
-    def _items(self):
-        return [self.editor.item(i) for i in range(self.editor.count())]
-
-    def show(self, obj):
-        linked = {other.Name for other in getattr(obj, self.name)}
-        for item in self._items():
-            on = item.data(QtCore.Qt.UserRole) in linked
-            item.setCheckState(QtCore.Qt.Checked if on else QtCore.Qt.Unchecked)
-
-    def store(self, obj):
-        names = [
-            item.data(QtCore.Qt.UserRole)
-            for item in self._items()
-            if item.checkState() == QtCore.Qt.Checked
-        ]
-        if names != [other.Name for other in getattr(obj, self.name)]:
-            setattr(obj, self.name, [obj.Document.getObject(name) for name in names])
+        assign(obj, self.name, self.line.text())
 
 
 class VectorRow(Row):
@@ -252,35 +166,3 @@ class VectorRow(Row):
         value = FreeCAD.Vector(*(box.value() for box in self.boxes))
         if (getattr(obj, self.name) - value).Length > 1e-3:
             setattr(obj, self.name, value)
-
-
-def _assign(obj, name, value):
-    if getattr(obj, name) != value:
-        setattr(obj, name, value)
-
-
-def row_for(kind, name, obj):
-    """The Row for a property of FreeCAD type `kind`."""
-    if name == "Machine":
-        return MachineRow(name, obj)
-    if name == "PostureField":
-        return ObjectRow(name, obj, axis_field.gives_field)
-    if kind in QUANTITIES:
-        return QuantityRow(name, obj)
-    if kind in ("App::PropertyInteger", "App::PropertyIntegerConstraint"):
-        return NumberRow(name, obj, True)
-    simple = {
-        "App::PropertyEnumeration": ChoiceRow,
-        "App::PropertyBool": FlagRow,
-        "App::PropertyVector": VectorRow,
-        "App::PropertyFile": FileRow,
-        "App::PropertyFileIncluded": FileRow,
-        "App::PropertyLink": ObjectRow,
-        "App::PropertyLinkListGlobal": ObjectListRow,
-        "App::PropertyStringList": LinesRow,
-    }
-    if kind in simple:
-        return simple[kind](name, obj)
-    if kind == "App::PropertyFloat":
-        return NumberRow(name, obj, False)
-    return TextRow(name, obj)

@@ -5,10 +5,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import patchmill
 from _patchmill import InputError
-from patchmill import machines
 from patchmill.texture_operation import planned
 from PySide import QtCore, QtGui
 
+from patchmill_gui.choice_rows import MachineBox
 from patchmill_gui.legend import LegendPlace
 from patchmill_gui.texture_scene import relief_display
 from patchmill_gui.texture_view import RELIEF
@@ -53,10 +53,7 @@ class SimulatePanel(WorkPanel):
         self.size.setSpecialValueText(translate("whole texture"))
         self.size.setValue(round(20.0 * self.plan.input.spacing, 2))
         self.size.setObjectName("WindowSize")
-        self.machine = QtGui.QComboBox()
-        self.machine.addItem(translate("as planned"), None)
-        for name in machines.names():
-            self.machine.addItem(translate("as {} would run it").format(name), name)
+        self.machine = MachineBox((translate("as planned"), None), translate("as {} would run it").format)
         self.runout = QtGui.QDoubleSpinBox()
         self.runout.setSuffix(" µm")
         self.runout.setToolTip(translate("How far the first flute stands out"))

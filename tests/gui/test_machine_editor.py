@@ -9,6 +9,7 @@ import unittest
 from unittest import mock
 
 import driver
+import FreeCAD
 import FreeCADGui
 from patchmill import machines
 from PySide import QtGui
@@ -76,6 +77,36 @@ class EditsMachines(unittest.TestCase):
         self.choose("linuxcnc-mill")
         self.assertFalse(self.editor.save("../ours"))
         self.assertIn("letters", self.editor.message.text())
+
+    def test_an_open_panel_lists_a_machine_that_is_saved_meanwhile(self):
+        document, part = driver.new_document(driver.wavy_block())
+        self.addCleanup(lambda: FreeCAD.closeDocument(document.Name))
+        driver.select(part, driver.top_face(part.Shape))
+        FreeCADGui.runCommand("PatchMill_CurvedTexture")
+        operation = document.getObject("CurvedTexture")
+        panel = driver.panel_of(operation)
+        self.addCleanup(panel.reject)
+        self.assertTrue(driver.ready(panel))
+        box = panel.page.properties.rows["Machine"].editor
+        box.setCurrentIndex(box.findData("linuxcnc-mill"))
+        told = []
+        box.currentIndexChanged.connect(told.append)
+        self.choose("table-table-ac")
+        self.assertTrue(self.editor.save("ours"))
+        self.assertLess(box.findData("ours"), 0)
+        box.showPopup()
+        box.hidePopup()
+        self.assertGreater(box.findData("ours"), 0)
+        self.assertEqual(box.currentData(), "linuxcnc-mill")
+        self.assertEqual(told, [])
+        box.setCurrentIndex(box.findData("ours"))
+        self.assertTrue(driver.ready(panel))
+        self.assertEqual(operation.Machine, "ours")
+        self.choose("ours")
+        self.editor.remove()
+        box.showPopup()
+        box.hidePopup()
+        self.assertEqual(box.currentData(), "ours")  # gone, and still named
 
 
 def main():
