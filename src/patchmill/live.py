@@ -21,8 +21,8 @@ SHORTEST = 1e-6  # mm
 
 def start(operation, voxel_size, low, high, memory_limit=4096.0, materials=()):
     """A _patchmill.LiveSession over a CopyMilling operation in scanning lines: its tool, depths, tolerance,
-    stock and part; V_Lo and V_Hi in mm/s; `materials` as the lines of a DressupDCM's. Raises InputError naming
-    the property."""
+    stock and part; V_Lo and V_Hi in mm/s; `materials` as the lines of a DressupDCM's. Raises InputError
+    naming the property."""
     from patchmill import copy_milling, removal_model
     from patchmill.materials import of_lines
 

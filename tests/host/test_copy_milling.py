@@ -200,41 +200,6 @@ class CopyMillingTest(WithDocuments):
                 self.assertGreater(fall[timed].max(), 1.99)
             document.removeObject(operation.Name)
 
-    def test_live_session_of_an_operation(self):
-        document, job = job_with_stock(make_parts.convex_part(), 1.0)
-        operation, _ = self.mill(job, RadialDepth=5.0, AxialDepth=8.0)
-        session = patchmill.live.start(operation, 2.0, 400 / 60, 800 / 60)
-        words, batches, centres = [], 0, []
-        while not session.done:
-            batch = session.next(5.0)
-            words.extend(patchmill.live.lines(batch))
-            centres.append(ball_centres(batch, 0.3))
-            batches += 1
-            if batches == 20:
-                session.change(axial_depth=4.0, high=1200 / 60)
-        self.assertEqual(session.conditions["axial_depth"], 4.0)
-        shape = job.Model.Group[0].Shape
-        self.assertLessEqual(deepest_at(shape, np.vstack(centres), RADIUS), TOLERANCE)
-        self.assertGreater(len(words), 500)
-        feeds = [float(line.split("F")[1]) for line in words if "F" in line]
-        self.assertGreaterEqual(min(feeds), 399.9)
-        self.assertLessEqual(max(feeds), 1200.1)
-        self.assertGreater(max(feeds), 800.1)
-
-    def test_a_live_session_knows_materials(self):
-        document, job = job_with_stock(make_parts.convex_part(), 1.0)
-        operation, _ = self.mill(job, RadialDepth=5.0, AxialDepth=8.0)
-        feeds = []
-        for materials in ([], ["skin 0.25 4"]):
-            session = patchmill.live.start(operation, 2.0, 10.0, 10.0, materials=materials)
-            words = list(patchmill.live.lines(session.next(60.0)))
-            feeds.append([float(line.split("F")[1]) / 60.0 for line in words if "F" in line])
-        self.assertAlmostEqual(min(feeds[0]), 10.0, 3)
-        self.assertAlmostEqual(min(feeds[1]), 2.5, 3)
-        with self.assertRaises(InputError) as caught:
-            patchmill.live.start(operation, 2.0, 10.0, 10.0, materials=["skin 0.25"])
-        self.assertEqual(caught.exception.property, "Materials")
-
     def test_same_input_same_path(self):
         document, job = job_with_stock(make_parts.convex_part(), 1.0)
         _, a = self.mill(job, RadialDepth=5.0, AxialDepth=8.0, Mode="Contour")
