@@ -95,6 +95,7 @@ class DressupDCM:
     `error` the InputError of the last execute, else None. `ready`: (model, result) made beforehand of what
     the dressup has now; the next execute takes it. None is saved."""
 
+    RESULT = "result"
     model = result = error = ready = None
 
     def __init__(self, obj, base):
@@ -132,6 +133,10 @@ class DressupDCM:
                 obj.Base.ViewObject.Visibility = True
             obj.Base = None
         return True
+
+    def forget(self):
+        """As for operations: nothing is left of the last execute but the model, which may do for the next."""
+        self.result = self.error = None
 
     def forget_path(self, obj):
         """As if it had never been executed: nothing old is left to be posted."""
@@ -199,6 +204,7 @@ def Create(name, base):
         raise InputError("Base", base.Label, remedy)
     # FreeCAD knows a dressup by its name
     obj = base.Document.addObject("Path::FeaturePython", name if "Dressup" in name else "Dressup" + name)
+    obj.Label = name
     obj.Proxy = DressupDCM(obj, base)
     job.Proxy.addOperation(obj, base, True)  # takes the base's place among the operations
     made_from.follow(obj, job)

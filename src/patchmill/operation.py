@@ -119,8 +119,9 @@ def setup_properties(proxy_class):
 
 
 def recompute(obj):
-    """Recomputes one operation and returns what it made: a PlannedTexture, or copy milling's ToolPath. Raises
-    InputError with the reason if there is nothing; FreeCAD itself would only mark the object."""
+    """Recomputes one operation or dressup and returns what it made: a PlannedTexture, copy milling's
+    ToolPath, or a dcm.Result. Raises InputError with the reason if there is nothing; FreeCAD itself would
+    only mark the object."""
     obj.Proxy.forget()
     obj.touch()
     obj.Document.recompute()

@@ -277,6 +277,11 @@ def _write(filename, text):
         with open(part, "w", encoding="ascii", newline="\n") as file:
             file.write(text)
         os.replace(part, filename)
+    except OSError as error:
+        if os.path.exists(part):
+            os.unlink(part)
+        remedy = "it cannot be written (%s): give another file." % error.strerror
+        raise InputError("filename", str(filename), remedy) from error
     except UnicodeEncodeError as error:
         os.unlink(part)
         raise InputError(

@@ -178,7 +178,9 @@ def _tool(controller):
 
 def planned(obj):
     """The PlannedTexture of an operation, recomputing it if the document was just opened.
-    Raises InputError with the reason if there is none."""
+    Raises InputError with the reason if there is none, or if it is no texture."""
+    if not isinstance(getattr(obj, "Proxy", None), ObjectTexture):
+        raise InputError("Operation", getattr(obj, "Label", repr(obj)), "choose a texture operation.")
     if obj.Proxy.planned is None and obj.Proxy.error is None:
         return recompute(obj)
     return made(obj)

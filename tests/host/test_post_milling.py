@@ -40,6 +40,39 @@ class PostMilling(WithDocuments):
         self.assertFalse(os.path.exists(self.program))
         print("refused:", caught.exception)
 
+    def test_a_file_that_cannot_be_written(self):
+        document, job = make_job(pocket_part(), "unwritable", ball=True)
+        CopyMilling.recompute(CopyMilling.Create("Copy", parentJob=job))
+        folder = os.path.dirname(self.program)
+        for name in (os.path.join(folder, "none", "x.ngc"), folder):
+            with self.assertRaises(InputError) as caught:
+                patchmill.post(job, name)
+            self.assertEqual(caught.exception.property, "filename")
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_what_is_for_textures_says_so(self):
+        document, job = make_job(pocket_part(), "copied", ball=True)
+        operation = CopyMilling.Create("Copy", parentJob=job)
+        patchmill.recompute(operation)
+        for function in (patchmill.check, patchmill.simulate, patchmill.planned):
+            with self.assertRaises(InputError) as caught:
+                function(operation)
+            self.assertEqual(caught.exception.property, "Operation")
+
+    def test_a_dressup_is_recomputed_like_an_operation(self):
+        document, job = make_job(pocket_part(), "dressed", ball=True)
+        operation = CopyMilling.Create("Copy", parentJob=job)
+        dressup = dress(operation)
+        self.assertGreater(patchmill.recompute(dressup).seconds, 0.0)
+        dressup.VoxelSize = 0.0
+        with self.assertRaises(InputError) as caught:
+            patchmill.recompute(dressup)
+        self.assertEqual(caught.exception.property, "VoxelSize")
+        dressup.VoxelSize = 1.0
+        named = DressupDCM.Create("Last", dressup)
+        self.assertEqual(named.Label, "Last")
+        self.assertIn("Dressup", named.Name)  # by which FreeCAD knows it
+
     def test_below_overhangs_only_with_a_tilted_tool(self):
         document, job = make_job(make_parts.overhanging_part(), "undercut", ball=True)
         operation = CopyMilling.Create("Copy", parentJob=job)
