@@ -9,6 +9,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 from dataclasses import dataclass
 
 import _patchmill as core
+from _patchmill import InputError
 
 
 @dataclass
@@ -28,6 +29,8 @@ class Proposal:
 
 
 def _wish(diameter, flutes, speed, side, spacing, ridge_height, cross_feed, shape, array):
+    if not diameter > 0.0:
+        raise InputError("Diameter", "%g mm" % diameter, "give a finite value greater than zero.")
     return core.MarkWish(
         core.BallEndMill(0.5 * diameter, flutes),
         speed / 60.0,

@@ -21,11 +21,14 @@ SHORTEST = 1e-6  # mm
 
 def start(operation, voxel_size, low, high, memory_limit=4096.0, materials=()):
     """A _patchmill.LiveSession over a CopyMilling operation in scanning lines: its tool, depths, tolerance,
-    stock and part; V_Lo and V_Hi in mm/s; `materials` as the lines of a DressupDCM's. Raises InputError
-    naming the property."""
+    stock and part; `voxel_size` in mm, V_Lo and V_Hi in mm/s, 0 < low <= high, `memory_limit` in MiB;
+    `materials` as the lines of a DressupDCM's. Raises InputError naming the property."""
     from patchmill import copy_milling, removal_model
     from patchmill.materials import of_lines
 
+    if not isinstance(getattr(operation, "Proxy", None), copy_milling.ObjectCopyMilling):
+        label = getattr(operation, "Label", repr(operation))
+        raise core.InputError("Operation", label, "give a CopyMilling operation.")
     given = copy_milling.input_of(operation)
     options, part = copy_milling.live_options(given)
     voxels = removal_model.ModelInput(

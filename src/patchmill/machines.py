@@ -103,7 +103,7 @@ def remove(key):
 def load(key):
     """The Machine of that key. Raises InputError naming the place in the file that is wrong."""
     for folder in (user_folder(), shipped_folder()):
-        path = os.path.join(folder, key + ".json")
+        path = os.path.join(folder, "%s.json" % key)
         if os.path.isfile(path):
             with open(path, encoding="utf-8") as file:
                 return Machine(key, checked(file.read(), key))

@@ -122,6 +122,9 @@ def recompute(obj):
     """Recomputes one operation or dressup and returns what it made: a PlannedTexture, copy milling's
     ToolPath, or a dcm.Result. Raises InputError with the reason if there is nothing; FreeCAD itself would
     only mark the object."""
+    if not hasattr(getattr(obj, "Proxy", None), "forget"):
+        label = getattr(obj, "Label", repr(obj))
+        raise InputError("Operation", label, "give an operation of PatchMill.")
     obj.Proxy.forget()
     obj.touch()
     obj.Document.recompute()

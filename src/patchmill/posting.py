@@ -36,10 +36,11 @@ class PostedTexture:
 def post(job, filename, post_name=None, arguments=None):
     """Posts `job` to `filename` and returns a list of PostedTexture, one per texture operation.
 
-    `post_name` and `arguments` default to the job's own. The text is read back, compared with the plan
-    and its phase measured; only then does the file appear, whole. Raises InputError, leaving no file and
-    an existing one untouched, if an operation is invalid, if the text does not hold the plan, or if the
-    tool would gouge or collide (docs/checks.md)."""
+    `post_name` and `arguments` default to the job's own; the folder of `filename` must be there. The text is
+    read back, compared with the plan and its phase measured; only then does the file appear, whole.
+    Raises InputError, leaving no file and an existing one untouched, if an operation is invalid, if the text
+    does not hold the plan, or if the tool would gouge or collide (docs/checks.md)."""
+    _require_place(filename)
     post_name = post_name or job.PostProcessor
     arguments = job.PostProcessorArgs if arguments is None else arguments
     if not post_name:
@@ -61,6 +62,15 @@ def post(job, filename, post_name=None, arguments=None):
         one.check = checks.require_clear(one.operation, one.path, one.unplaced)
     _write(filename, text)
     return posted
+
+
+def _require_place(filename):
+    """Raises InputError unless a file of that name can be made: before the work, not after it."""
+    name = filename if isinstance(filename, str) else str(filename)
+    folder = os.path.dirname(name) or "."
+    if not name or os.path.isdir(name) or not os.access(folder, os.W_OK):
+        remedy = "name a file in a folder that exists and can be written to."
+        raise InputError("OutputFile", repr(name), remedy)
 
 
 def _active_operations(job):

@@ -60,7 +60,10 @@ def _housing(plan, path):
 
 
 def _recorded(plan, samples):
-    rows = np.asarray(samples, float)
+    try:
+        rows = np.asarray(samples, float)
+    except ValueError:
+        rows = np.zeros(0)
     if rows.ndim != 2 or rows.shape[1] != 5 or len(rows) < 2 or not np.isfinite(rows).all():
         raise InputError(
             "Samples", "shape %s" % (rows.shape,), "give finite rows (time, x, y, z, spindle azimuth)."

@@ -155,9 +155,12 @@ def _window(plan, window):
         places = plan.places()[cut]
         half = 0.5 * plan.input.spacing
         return places.min(axis=0) - half, places.max(axis=0) + half
-    corners = np.asarray(window, float)
-    if corners.shape != (2, 2) or not (corners[1] > corners[0]).all():
-        raise InputError("Window", window, "give ((x, y) least, (x, y) greatest) in mm.")
+    try:
+        corners = np.asarray(window, float)
+    except ValueError:
+        corners = np.zeros(0)
+    if corners.shape != (2, 2) or not (np.isfinite(corners).all() and (corners[1] > corners[0]).all()):
+        raise InputError("Window", window, "give finite ((x, y) least, (x, y) greatest) in mm.")
     return corners[0], corners[1]
 
 

@@ -129,6 +129,46 @@ class BadInput(unittest.TestCase):
             self.assertEqual(file.read_text(), "old")
 
 
+class Macros(unittest.TestCase):
+    """What a macro may get wrong in its calls."""
+
+    def setUp(self):
+        self.document, self.job, self.operation = small_job()
+        self.addCleanup(FreeCAD.closeDocument, self.document.Name)
+
+    def refused(self, name, function, *arguments, **named):
+        with self.subTest(name, arguments=arguments, named=named):
+            with self.assertRaises(patchmill.InputError) as caught:
+                function(*arguments, **named)
+            self.assertEqual(caught.exception.property, name)
+
+    def test_places_that_cannot_be_written_are_refused_before_the_work(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("", folder, folder + "/missing/x.ngc"):
+                self.refused("OutputFile", patchmill.post, self.job, name)
+
+    def test_things_that_are_no_operations_are_refused(self):
+        for thing in (None, self.job):
+            self.refused("Operation", patchmill.recompute, thing)
+            for function in (patchmill.planned, patchmill.simulate, patchmill.check):
+                self.refused("Operation", function, thing)
+        self.refused("Operation", patchmill.live.start, self.operation, 1.0, 5.0, 10.0)
+        self.refused("Machine", patchmill.simulate, self.operation, machine=5)
+
+    def test_arguments_of_simulate_and_advise_are_refused_by_name(self):
+        for window in ("all", ((0, 0), (float("inf"), 1)), ((1, 1), (0, 0))):
+            self.refused("Window", patchmill.simulate, self.operation, window=window)
+        self.refused("Samples", patchmill.simulate, self.operation, samples="none")
+        wish = dict(diameter=2, flutes=2, speed=1000, side=14, spacing=0.5)
+        for name, property_name in (("diameter", "Diameter"), ("speed", "SpindleSpeed")):
+            self.refused(property_name, patchmill.advise, **dict(wish, **{name: -1.0}))
+
+    def test_a_check_that_looked_at_nothing_is_unknown(self):
+        result = patchmill.check(self.operation, first_move=10**9)
+        self.assertEqual(result.outcome, "unknown")
+        self.assertIn("No move", result.sentence)
+
+
 class ExitStatus(unittest.TestCase):
     """Each mistake in a FreeCADCmd of its own."""
 

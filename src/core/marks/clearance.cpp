@@ -265,10 +265,10 @@ ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSect
                                 const Progress& progress) {
   require_valid(path, sections, options);
   ClearanceReport report;
-  if (!part.distance) {
-    report.reason = "There is no shape of the part to measure distances from.";
-    return report;
-  }
+  if (!part.distance) report.reason = "There is no shape of the part to measure distances from.";
+  if (options.first_move > 0 && options.first_move >= path.moves.size())
+    report.reason = "No move of the path was looked at.";
+  if (!report.reason.empty()) return report;
   constexpr std::size_t kBlock = 64, kRound = 16;  // moves checked by one thread, blocks in a round
   const std::size_t count = path.moves.size();
   bool stopped = false;

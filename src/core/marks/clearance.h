@@ -84,7 +84,7 @@ struct ClearanceReport {
 };
 
 /// Checks every move from its start to its end on a straight line of the tip, the axis turning
-/// evenly. A part without a distance: Unknown. Errors: InputError naming BallRadius, Tolerance or Clearance
+/// evenly. A part without a distance, or a first move beyond the last one: Unknown. Errors: InputError naming BallRadius, Tolerance or Clearance
 /// (0 .. 1e6 mm), Resolution (1e-6 .. 1e6 mm), or ToolSection (out of its ranges).
 ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSection>& sections,
                                 const PartShape& part, const ClearanceOptions& options = {},

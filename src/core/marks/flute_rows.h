@@ -59,6 +59,7 @@ PATCHMILL_INLINE void mill_curved_row(bool near_axis_only, const PassFrame& pass
 
 }  // namespace
 
+/// See flute_kernel.h.
 void mill_flat(bool near_axis_only, const PassFrame& pass, float x, float y, float step, int chunks,
                float* height) {
   const int registers = chunks * (kLanes / kWidth);
@@ -68,6 +69,7 @@ void mill_flat(bool near_axis_only, const PassFrame& pass, float x, float y, flo
     mill_flat_row<false>(near_axis_only, pass, x, y, step, registers, height);
 }
 
+/// See flute_kernel.h.
 void mill_curved(bool near_axis_only, const PassFrame& pass, const CurvedRow& row,
                  const float shift[3], int chunks, float* height) {
   const int registers = chunks * (kLanes / kWidth);

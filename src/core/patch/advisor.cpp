@@ -100,8 +100,8 @@ const char* name(Kept kept) {
 
 FreePatch wished_patch(const MarkWish& wish) {
   require_positive("BallRadius", wish.tool.radius, "mm");
-  require_in_range("Flutes", wish.tool.flutes, 1, 100, "flutes");
-  require_positive("SpindleSpeed", wish.spindle_speed, "revolutions per second");
+  require_in_range("Flutes", wish.tool.flutes, 1, 32, "flutes");
+  require_positive("SpindleSpeed", wish.spindle_speed * 60.0, "rpm");
   require_in_range("Corners", wish.corners, 3, 360, "corners");
   if (wish.array != MarkArray::Square && wish.array != MarkArray::Staggered)
     throw InputError("MarkArray", name(wish.array), "choose square or staggered.");

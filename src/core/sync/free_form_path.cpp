@@ -17,7 +17,7 @@ void require_valid(const FreeTexture& texture, const BallEndMill& tool, const Sp
                    const ConstantFeed& rule) {
   require_positive("Feed", rule.feed * 60.0, "mm/min");
   require_turning_tool(tool, spindle);
-  require_in_range("Flutes", tool.flutes, 1, 100, "flutes");
+  require_in_range("Flutes", tool.flutes, 1, 32, "flutes");
   require_in_range("ExtraTurns", rule.phase.extra_turns, 0.0, 0.0, "turns in the free form");
   if (rule.phase.flutes == FluteChoice::Same && tool.flutes > 1)
     throw InputError("SameFlute", "true", "in the free form every flute leaves a mark: allow any.");

@@ -32,6 +32,7 @@ struct PhaseErrorSummary {
   double drift_per_dimple = 0.0;
   std::int32_t runs = 0;
 };
+/// Of no errors: all zero.
 PhaseErrorSummary summary(const std::vector<PhaseError>& errors);
 
 }  // namespace patchmill

@@ -144,5 +144,17 @@ TEST(PointDistance, GougeInAPointCloud) {
   EXPECT_TRUE(std::isnan(distance_from_points(plane_points(0.25), 0.36, 1.0)({5, 5, 3})));
 }
 
+TEST(Clearance, NothingLookedAtIsNoPass) {
+  const PartDistance far_away = [](const Vec3&) { return 100.0; };
+  const ToolPath path = path_of_balls({{2, 2, 4}, {5, 5, 4}});
+  ClearanceOptions options;
+  options.first_move = path.moves.size() - 1;
+  EXPECT_EQ(check_clearance(path, {}, far_away, options).outcome, ClearanceOutcome::Clear);
+  options.first_move = path.moves.size();
+  const auto report = check_clearance(path, {}, far_away, options);
+  EXPECT_EQ(report.outcome, ClearanceOutcome::Unknown);
+  EXPECT_FALSE(report.reason.empty());
+}
+
 }  // namespace
 }  // namespace patchmill
