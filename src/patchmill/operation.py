@@ -158,6 +158,8 @@ def not_computed(obj):
             return InputError(name, other.Label, remedy)
         if name == "Base" and "Touched" in _state_of(other):  # because of what is before it
             return not_computed(other)
+    if "Invalid" in obj.State:
+        return InputError(obj.Label, "not computed", "it failed in a way that FreeCAD's report view tells.")
     return InputError(
         obj.Label, "not computed", "FreeCAD refused it: check its job, base faces and tool."
     )

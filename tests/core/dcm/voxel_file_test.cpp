@@ -72,6 +72,20 @@ TEST(VoxelFile, IsNotBelievedWhenAnythingIsWrong) {
   EXPECT_THROW(write_voxel_model("/nowhere/at/all/x", "key", f.model), InputError);
 }
 
+TEST(VoxelFile, IsNotBelievedWhenAnyByteIsAnother) {
+  const Fixture f;
+  write_voxel_model(kPath, "key", f.model);
+  ASSERT_TRUE(read_voxel_model(kPath, "key"));
+  const std::string whole = bytes_of(kPath);
+  for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 199) {
+    std::string bad = whole;
+    bad[at] = static_cast<char>(bad[at] ^ 1);
+    std::ofstream(kPath, std::ios::binary) << bad;
+    EXPECT_FALSE(read_voxel_model(kPath, "key")) << "byte " << at << " of " << whole.size();
+  }
+  std::remove(kPath.c_str());
+}
+
 TEST(FieldView, SectionHoldsTheFieldsOfItsLayer) {
   const Fixture f;
   const FeedField feed = steady_feed(f.model.grid, {5.0, 10.0});
