@@ -77,10 +77,7 @@ def input_of(obj):
 def _faces(obj):
     """The faces in Base. Raises InputError if there is anything else."""
     chosen = [(base, name) for base, names in obj.Base for name in names if name]
-    for base, name in chosen:
-        if not name.startswith("Face"):
-            raise InputError("Base", "%s of %s" % (name, base.Label), "choose faces, or nothing.")
-    return [base.Shape.getElement(name) for base, name in chosen]
+    return [made_from.face_of(base, name, "choose faces, or nothing.") for base, name in chosen]
 
 
 def _compound(faces):

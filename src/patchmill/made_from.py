@@ -47,6 +47,17 @@ def job_of(obj):
     return job
 
 
+def face_of(base, name, remedy):
+    """The face `name` of an object that is named in Base. Raises InputError naming Base: with `remedy` for
+    what is no face, and for a face that the object has no more, whose name FreeCAD 1.1 marks with '?'."""
+    plain = name.lstrip("?")
+    if not plain.startswith("Face"):
+        raise InputError("Base", "%s of %s" % (plain, base.Label) if plain else base.Label, remedy)
+    if name != plain or int(plain[len("Face") :]) > len(base.Shape.Faces):
+        raise InputError("Base", "%s of %s" % (plain, base.Label), "it is gone: choose a face again.")
+    return base.Shape.getElement(plain)
+
+
 def _has_shape(thing):
     shape = getattr(thing, "Shape", None)
     return shape is not None and not shape.isNull()

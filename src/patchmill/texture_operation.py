@@ -15,7 +15,7 @@ import Part
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import axis_field, host, tool_controller
+from patchmill import axis_field, host, made_from, tool_controller
 from patchmill.operation import BallEndOperation, made, recompute
 from patchmill.texture_mask import MaskInput, curve_loops
 from patchmill.texture_plan import PlannedTexture, TextureInput, plan_texture
@@ -154,9 +154,8 @@ def _face_breps(obj):
     faces = {}  # by object: faces in one text keep the edges that they share, which are no borders
     for base, names in obj.Base:
         for name in names:
-            if not name.startswith("Face"):
-                raise InputError("Base", name or base.Label, "select faces, nothing else.")
-            faces.setdefault(base.Name, []).append(base.Shape.getElement(name))
+            face = made_from.face_of(base, name, "select faces, nothing else.")
+            faces.setdefault(base.Name, []).append(face)
     if not faces:
         raise InputError("Base", "nothing", "select at least one face of the job's model.")
     return [Part.Compound(found).exportBrepToString() for found in faces.values()]

@@ -77,7 +77,7 @@ class Changes(WithDocuments):
         self.assertEqual(copy.Path.Size, 0)
         for _ in range(2):
             self.refused("Base", CopyMilling.recompute, copy)
-            self.assertEqual(copy.Base[0][1], (last,))
+            self.assertEqual([name.lstrip("?") for name in copy.Base[0][1]], [last])  # FreeCAD 1.1 marks it
         self.refused("Base", patchmill.post, self.job, self.program)
 
     def test_a_stock_that_was_put_in_another_place(self):
@@ -158,6 +158,7 @@ class Changes(WithDocuments):
         document, texture = job_on(*tilted_box())
         patchmill.recompute(texture)
         job = patchmill.host.jobs()[0]
+        job.PostProcessor = "linuxcnc"
         other = document.addObject("Path::FeaturePython", "DressupOther")
         other.addProperty("App::PropertyLink", "Base")
         other.Proxy = types.SimpleNamespace(dumps=lambda: None)
