@@ -66,11 +66,9 @@ def post(job, filename, post_name=None, arguments=None):
 
 def _require_place(filename):
     """Raises InputError unless a file of that name can be made: before the work, not after it."""
-    name = filename if isinstance(filename, str) else str(filename)
-    folder = os.path.dirname(name) or "."
-    if not name or os.path.isdir(name) or not os.access(folder, os.W_OK):
-        remedy = "name a file in a folder that exists and can be written to."
-        raise InputError("OutputFile", repr(name), remedy)
+    name = os.fspath(filename)
+    if not name or os.path.isdir(name) or not os.access(os.path.dirname(name) or ".", os.W_OK):
+        raise InputError("filename", repr(name), "name a file in a folder that can be written to.")
 
 
 def _active_operations(job):
@@ -288,12 +286,12 @@ def _write(filename, text):
             file.write(text)
         os.replace(part, filename)
     except OSError as error:
-        if os.path.exists(part):
-            os.unlink(part)
         remedy = "it cannot be written (%s): give another file." % error.strerror
         raise InputError("filename", str(filename), remedy) from error
     except UnicodeEncodeError as error:
-        os.unlink(part)
         raise InputError(
             "Label", repr(error.object[error.start : error.end]), "use ASCII letters in labels."
         ) from error
+    finally:
+        if os.path.exists(part):
+            os.unlink(part)

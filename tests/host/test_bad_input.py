@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import FreeCAD
 import patchmill
@@ -137,7 +138,7 @@ class Macros(unittest.TestCase):
         self.addCleanup(FreeCAD.closeDocument, self.document.Name)
 
     def refused(self, name, function, *arguments, **named):
-        with self.subTest(name, arguments=arguments, named=named):
+        with self.subTest(name, arguments=repr(arguments), named=repr(named)):
             with self.assertRaises(patchmill.InputError) as caught:
                 function(*arguments, **named)
             self.assertEqual(caught.exception.property, name)
@@ -145,7 +146,16 @@ class Macros(unittest.TestCase):
     def test_places_that_cannot_be_written_are_refused_before_the_work(self):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("", folder, folder + "/missing/x.ngc"):
-                self.refused("OutputFile", patchmill.post, self.job, name)
+                self.refused("filename", patchmill.post, self.job, name)
+            with self.assertRaises(TypeError):
+                patchmill.post(self.job, None)
+
+    def test_a_file_that_cannot_be_put_in_its_place_leaves_nothing(self):
+        patchmill.recompute(self.operation)
+        with tempfile.TemporaryDirectory() as folder:
+            with mock.patch("os.replace", side_effect=OSError("the disk is full")):
+                self.refused("filename", patchmill.post, self.job, folder + "/x.ngc")
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
 
     def test_things_that_are_no_operations_are_refused(self):
         for thing in (None, self.job):
