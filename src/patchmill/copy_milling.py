@@ -62,7 +62,8 @@ class ObjectCopyMilling(BallEndOperation):
         given = input_of(obj)
         made = ready if ready is not None and ready.asked == given else mill(given)
         self.path = made.path
-        for remark in remarks(made):
+        tilted = any(getattr(other, "Controls", "Feed") != "Feed" for other in obj.InListRecursive)
+        for remark in remarks(made, tilted):
             FreeCAD.Console.PrintWarning("%s: %s\n" % (obj.Label, remark))
         text = str(core.freecad_text(self.path, None, 4))
         self.commandlist.extend(host.begin_upright(host.Path.Path(text).Commands))
@@ -83,10 +84,10 @@ class CopiedPath:
     asked: CopyInput
 
 
-def remarks(made):
-    """Sentences on what a user should know of a CopiedPath before it is cut."""
+def remarks(made, tilted=False):
+    """Sentences on what a user should know of a CopiedPath before it is cut; `tilted`: by a DCM modifier."""
     given, said = made.asked, []
-    if given.mode == UNDERCUTS:
+    if given.mode == UNDERCUTS and not tilted:
         said.append("an upright shank would cut the overhang: put a DCM modifier with posture on it.")
     if given.last_radial > 2.0 * given.tool.radius:
         said.append("the lines are further apart than the tool is wide: ridges stay between them.")

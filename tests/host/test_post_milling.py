@@ -47,7 +47,7 @@ class PostMilling(WithDocuments):
         for name in (os.path.join(folder, "none", "x.ngc"), folder):
             with self.assertRaises(InputError) as caught:
                 patchmill.post(job, name)
-            self.assertEqual(caught.exception.property, "filename")
+            self.assertEqual(caught.exception.property, "OutputFile")
             self.assertEqual(os.listdir(folder), [])
 
     def test_what_is_for_textures_says_so(self):
@@ -85,6 +85,8 @@ class PostMilling(WithDocuments):
         dressup.Controls, dressup.Machine = "Feed and posture", "table-table-ac"
         DressupDCM.recompute(dressup)
         self.posts(job, "patchmill_linuxcnc", PLAIN)
+        made = CopyMilling.mill(CopyMilling.input_of(operation))
+        self.assertEqual(len(CopyMilling.remarks(made)), len(CopyMilling.remarks(made, True)) + 1)
         operation.Mode = "Scanning"
         dressup.Controls = "Feed"
         self.posts(job)
