@@ -231,6 +231,7 @@ class CopyMillingTest(WithDocuments):
                 CopyMilling.recompute(operation)
             self.assertEqual(caught.exception.property, name)
             setattr(owner, name, good)
+            document.recompute()  # FreeCAD 1.1 needs one to draw a tool again that had no diameter
         controller.Tool.CuttingEdgeHeight = 7.0
         with self.assertRaises(InputError) as caught:
             CopyMilling.recompute(operation)
