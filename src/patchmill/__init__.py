@@ -25,6 +25,7 @@ _LAZY = {
     "live": ("patchmill.live", None),
     "tilted_path": ("patchmill.tilted_path", None),
     "removal_model": ("patchmill.removal_model", None),
+    "advisor": ("patchmill.advisor", None),
     "advise": ("patchmill.advisor", "advise"),
     "mark_state": ("patchmill.advisor", "mark_state"),
     "planned": ("patchmill.texture_operation", "planned"),

@@ -157,6 +157,10 @@ class Macros(unittest.TestCase):
                 self.refused("filename", patchmill.post, self.job, folder + "/x.ngc")
             self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
 
+    def test_modules_that_the_documentation_names_are_there(self):
+        for name in ("advisor", "dcm", "live", "removal_model", "tilted_path"):
+            self.assertEqual(patchmill.__getattr__(name).__name__, "patchmill." + name)
+
     def test_things_that_are_no_operations_are_refused(self):
         for thing in (None, self.job):
             self.refused("Operation", patchmill.recompute, thing)
