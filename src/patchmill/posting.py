@@ -287,7 +287,7 @@ def _write(filename, text):
         os.replace(part, filename)
     except OSError as error:
         remedy = "it cannot be written (%s): give another file." % error.strerror
-        raise InputError("OutputFile", repr(str(filename)), remedy) from error
+        raise InputError("filename", repr(str(filename)), remedy) from error
     except UnicodeEncodeError as error:
         raise InputError(
             "Label", repr(error.object[error.start : error.end]), "use ASCII letters in labels."

@@ -47,7 +47,7 @@ class PostMilling(WithDocuments):
         for name in (os.path.join(folder, "none", "x.ngc"), folder):
             with self.assertRaises(InputError) as caught:
                 patchmill.post(job, name)
-            self.assertEqual(caught.exception.property, "OutputFile")
+            self.assertEqual(caught.exception.property, "filename")
             self.assertEqual(os.listdir(folder), [])
 
     def test_what_is_for_textures_says_so(self):
