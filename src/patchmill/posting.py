@@ -68,7 +68,7 @@ def _require_place(filename):
     """Raises InputError unless a file of that name can be made: before the work, not after it."""
     name = os.fspath(filename)
     if not name or os.path.isdir(name) or not os.access(os.path.dirname(name) or ".", os.W_OK):
-        raise InputError("OutputFile", repr(name), "name a file in a folder that can be written to.")
+        raise InputError("filename", repr(name), "name a file in a folder that can be written to.")
 
 
 def _active_operations(job):

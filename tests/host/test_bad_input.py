@@ -146,7 +146,7 @@ class Macros(unittest.TestCase):
     def test_places_that_cannot_be_written_are_refused_before_the_work(self):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("", folder, folder + "/missing/x.ngc"):
-                self.refused("OutputFile", patchmill.post, self.job, name)
+                self.refused("filename", patchmill.post, self.job, name)
             with self.assertRaises(TypeError):
                 patchmill.post(self.job, None)
 
@@ -154,7 +154,7 @@ class Macros(unittest.TestCase):
         patchmill.recompute(self.operation)
         with tempfile.TemporaryDirectory() as folder:
             with mock.patch("os.replace", side_effect=OSError("the disk is full")):
-                self.refused("OutputFile", patchmill.post, self.job, folder + "/x.ngc")
+                self.refused("filename", patchmill.post, self.job, folder + "/x.ngc")
             self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
 
     def test_modules_that_the_documentation_names_are_there(self):
