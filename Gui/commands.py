@@ -182,8 +182,15 @@ class Post(Command):
         )
         if name:
             with busy_cursor():  # FreeCAD's post-processors work in the GUI thread
-                patchmill.post(job, name)
-            say(translate("{} was written, read back and holds the plan.").format(name))
+                posted = patchmill.post(job, name)
+            say(_what_was_written(name, posted))
+
+
+def _what_was_written(name, posted):
+    unread = ["%s: %s" % (one.operation.Label, one.unknown) for one in posted if getattr(one, "unknown", "")]
+    if unread:
+        return translate("{} was written. Not compared with the path: {}.").format(name, "; ".join(unread))
+    return translate("{} was written, read back and holds the plan.").format(name)
 
 
 class Machines(Command):

@@ -15,9 +15,8 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill import checks, host, post_probe, strategies, tool_posture
+from patchmill import checks, host, post_probe, posted_milling, strategies, tool_posture
 from patchmill.copy_input import UNDERCUTS
-from patchmill.dressup_dcm import DressupDCM
 from patchmill.texture_operation import ObjectTexture, planned
 
 
@@ -34,7 +33,8 @@ class PostedTexture:
 
 
 def post(job, filename, post_name=None, arguments=None):
-    """Posts `job` to `filename` and returns a list of PostedTexture, one per texture operation.
+    """Posts `job` to `filename` and returns a list: a PostedTexture for each texture operation, and then a
+    PostedMilling for each copy milling and DCM modifier.
 
     `post_name` and `arguments` default to the job's own; the folder of `filename` must be there. The text is
     read back, compared with the plan and its phase measured; only then does the file appear, whole.
@@ -51,15 +51,21 @@ def post(job, filename, post_name=None, arguments=None):
     for op, plan in zip(textures, plans):
         _check_verdict(op, plan)
         _check_arguments(post_name, plan, shlex.split(arguments))
-    tilted = [dressup for op in operations if (dressup := posture_of(op)) is not None]
+    tilted = [dressup for op in operations if (dressup := posted_milling.posture_of(op)) is not None]
     if tilted:
         require_millimetres(tilted[0].Label, shlex.split(arguments))
     _check_post(post_name, plans, tilted)
     text = _single_text(job, post_name, arguments)
     own = own_dialect(post_name)
-    posted = _read_back(text, textures, plans, own.dialect if own else "linuxcnc")
+    dialect = own.dialect if own else "linuxcnc"
+    posted = _read_back(text, textures, plans, dialect)
     for one in posted:
         one.check = checks.require_clear(one.operation, one.path, one.unplaced)
+    milled = [op for op in operations if posted_milling.is_milling(op)]
+    half_unit = 0.5 * 10.0 ** -_decimals(post_name, shlex.split(arguments))
+    if "--inches" in shlex.split(arguments):
+        half_unit *= 25.4
+    posted += [posted_milling.read_back(op, text, dialect, half_unit) for op in milled]
     _write(filename, text)
     return posted
 
@@ -77,7 +83,7 @@ def _active_operations(job):
     job.Document.recompute()  # what was changed since
     operations = [op for op in job.Operations.Group if host.is_active(op)]
     for op in operations:
-        for part in _with_those_under(op):
+        for part in posted_milling.with_those_under(op):
             error = getattr(part.Proxy, "error", None)
             if error is not None:
                 raise error
@@ -86,25 +92,12 @@ def _active_operations(job):
             if part is not op and isinstance(part.Proxy, ObjectTexture):
                 remedy = "it would change a texture's path, which is its timing: take it away."
                 raise InputError(op.Label, part.Label, remedy)
-            if getattr(part, "Mode", "") == UNDERCUTS and posture_of(op) is None:
+            if getattr(part, "Mode", "") == UNDERCUTS and posted_milling.posture_of(op) is None:
                 remedy = "an upright shank would cut the overhang: put a DCM modifier with posture on %s."
                 raise InputError("Mode", UNDERCUTS, remedy % part.Label)
     if not operations:
         raise InputError("Operations", "none", "the job has no active operation.")
     return operations
-
-
-def _with_those_under(op):
-    """An operation or dressup, and what dressups are on."""
-    while hasattr(op, "Proxy"):
-        yield op
-        op = getattr(op, "Base", None)
-
-
-def posture_of(op):
-    """The DressupDCM that tilts the tool, `op` or under it; None for an upright path."""
-    found = (part for part in _with_those_under(op) if isinstance(part.Proxy, DressupDCM))
-    return next((dressup for dressup in found if dressup.Controls != "Feed"), None)
 
 
 def _check_verdict(op, plan):
@@ -128,13 +121,7 @@ def require_millimetres(what, arguments):
 
 def _check_arguments(post_name, plan, arguments):
     require_millimetres("a texture", arguments)
-    own = own_dialect(post_name)
-    precision = own.precision(shlex.join(arguments)) if own else 3
-    for i, argument in enumerate(arguments):
-        if argument.startswith("--precision="):
-            precision = int(argument.split("=", 1)[1])
-        elif argument == "--precision" and i + 1 < len(arguments):
-            precision = int(arguments[i + 1])
+    precision = _decimals(post_name, arguments)
     if precision != plan.input.decimals:
         raise InputError(
             "Decimals",
@@ -144,13 +131,24 @@ def _check_arguments(post_name, plan, arguments):
         )
 
 
+def _decimals(post_name, arguments):
+    own = own_dialect(post_name)
+    precision = own.precision(shlex.join(arguments)) if own else 3
+    for i, argument in enumerate(arguments):
+        if argument.startswith("--precision="):
+            precision = int(argument.split("=", 1)[1])
+        elif argument == "--precision" and i + 1 < len(arguments):
+            precision = int(arguments[i + 1])
+    return precision
+
+
 def _check_post(post_name, plans, tilted):
     """A post that would lose words which the paths need is refused before it gets them. It is tried, once in
     a session; the program that it posts is read back all the same."""
     if own_dialect(post_name):
         return
     angles = [np.degrees(p.posture.work.joints) for p in plans if p.posture is not None]
-    angles += [_angles_in(dressup) for dressup in tilted]
+    angles += [posted_milling.angles_in(dressup) for dressup in tilted]
     needs = {
         "rotary": bool(angles),
         "turning_far": any(np.abs(a).max() > 360.0 for a in angles),
@@ -164,12 +162,6 @@ def _check_post(post_name, plans, tilted):
     if missing:
         remedy = "%s: use one of PatchMill's own posts." % "; ".join(missing)
         raise InputError("PostProcessor", post_name, remedy)
-
-
-def _angles_in(dressup):
-    """The rotary words of its path [degrees]."""
-    words = (command.Parameters.items() for command in dressup.Path.Commands)
-    return np.array([value for pairs in words for name, value in pairs if name in "ABC"] or [0.0])
 
 
 @functools.lru_cache(maxsize=None)

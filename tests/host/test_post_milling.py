@@ -14,10 +14,11 @@ sys.path.insert(0, str(HERE))
 sys.path.insert(0, str(HERE.parents[1] / "Resources" / "recipes" / "kobayashi2014"))
 
 import make_parts  # noqa: E402
+import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
 from milling_jobs import dress, make_job, pocket_part  # noqa: E402
 from parts import WithDocuments  # noqa: E402
-from patchmill import CopyMilling, DressupDCM, InputError  # noqa: E402
+from patchmill import CopyMilling, DressupDCM, InputError, posted_milling  # noqa: E402
 
 PLAIN = "--no-header --no-show-editor"
 
@@ -29,9 +30,10 @@ class PostMilling(WithDocuments):
         self.program = os.path.join(folder.name, "program.ngc")
 
     def posts(self, job, *arguments):
-        patchmill.post(job, self.program, *arguments)
+        posted = patchmill.post(job, self.program, *arguments)
         self.assertTrue(os.path.exists(self.program))
         os.remove(self.program)
+        return posted
 
     def refused(self, name, job, *arguments):
         with self.assertRaises(InputError) as caught:
@@ -73,6 +75,38 @@ class PostMilling(WithDocuments):
         self.assertEqual(named.Label, "Last")
         self.assertIn("Dressup", named.Name)  # by which FreeCAD knows it
 
+    def test_every_move_is_read_back(self):
+        document, job = make_job(pocket_part(), "read_back", ball=True)
+        operation = CopyMilling.Create("Copy", parentJob=job)
+        operation.RadialDepth = 6.0
+        moves = patchmill.recompute(operation).kinds
+        (posted,) = patchmill.post(job, self.program, "linuxcnc", PLAIN)
+        self.assertEqual((posted.operation, posted.unknown), (operation, ""))
+        self.assertGreater(posted.moves, np.count_nonzero(moves > 0) - 1)
+        with open(self.program) as file:
+            lines = file.read().splitlines()
+        cutting = [n for n, line in enumerate(lines) if line.startswith("G1 ")]
+        middle = cutting[len(cutting) // 2]
+        number = next(word for word in lines[middle].split() if word[0] in "XYZ")
+        value = number[0] + "%.3f" % (float(number[1:]) + 0.002)
+        spoilt = {
+            "left out": lines[:middle] + lines[middle + 1 :],
+            "moved": lines[:middle] + [lines[middle].replace(number, value)] + lines[middle + 1 :],
+            "put in": lines[:middle] + ["G1 X1.000 Y2.000 Z3.000 F100.000"] + lines[middle:],
+            "made rapid": lines[:middle] + [lines[middle].replace("G1 ", "G0 ")] + lines[middle + 1 :],
+            "turned": lines[:middle] + [lines[middle] + " C1.000"] + lines[middle + 1 :],
+            "cut short": lines[: cutting[-1]],
+        }
+        for how, text in spoilt.items():
+            with self.assertRaises(InputError, msg=how) as caught:
+                posted_milling.read_back(operation, "\n".join(text) + "\n", "linuxcnc", 0.0005)
+            self.assertEqual(caught.exception.property, operation.Label)
+            print(how, "->", caught.exception)
+        whole = "\n".join(lines) + "\n"
+        self.assertEqual(posted_milling.read_back(operation, whole, "linuxcnc", 0.0005), posted)
+        arc = posted_milling.read_back(operation, whole + "G2 X1 Y1 I1 J0\n", "linuxcnc", 0.0005)
+        self.assertIn("G2", arc.unknown)  # cannot be read: neither passed nor refused
+
     def test_below_overhangs_only_with_a_tilted_tool(self):
         document, job = make_job(make_parts.overhanging_part(), "undercut", ball=True)
         operation = CopyMilling.Create("Copy", parentJob=job)
@@ -101,9 +135,13 @@ class PostMilling(WithDocuments):
             self.refused("PostProcessor", job, post, PLAIN)
         self.refused("PostProcessorArgs", job, "linuxcnc", PLAIN + " --inches")  # scales inverse time
         self.refused("PostProcessor", job, "linuxcnc", PLAIN + " --none-such")
-        self.posts(job, "linuxcnc", PLAIN)
+        for post in ("linuxcnc", "patchmill_linuxcnc", "patchmill_fanuc", "patchmill_siemens"):
+            (posted,) = self.posts(job, post, PLAIN)
+            self.assertEqual((posted.unknown, posted.operation), ("", dressup), post)
+            self.assertGreater(posted.moves, 100)
         dressup.Controls = "Feed"
-        self.posts(job, "linuxcnc", PLAIN + " --inches")
+        (posted,) = self.posts(job, "linuxcnc", PLAIN + " --inches")
+        self.assertEqual((posted.unknown, posted.moves > 100), ("", True))
 
 
 if __name__ == "__main__":
