@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill import host, made_from, removal_model, tool_controller
+from patchmill import made_from, removal_model, tool_controller
 
 UNDERCUTS = "Scanning with undercuts"
 MODES = ["Scanning", "Contour", UNDERCUTS]
@@ -87,13 +87,7 @@ def _compound(faces):
 
 
 def _cutting(controller):
-    kind = host.tool_kind(controller.Tool)
-    if kind != "ballend":
-        raise InputError(
-            "ToolController",
-            "%s (%s)" % (controller.Label, kind or "unknown kind"),
-            "copy milling takes a ball end mill: choose one.",
-        )
+    tool_controller.require_ball_end(controller, "copy milling takes a ball end mill: choose one.")
     for name in ("HorizFeed", "VertFeed"):
         feed = getattr(controller, name).Value
         if not (math.isfinite(feed) and feed > 0.0):

@@ -95,13 +95,9 @@ def _operation(obj):
 def _tool(operation, posture):
     controller = operation.ToolController
     tool_controller.require_tool(controller)
-    kind = host.tool_kind(controller.Tool)
-    if posture and kind != "ballend":
-        raise InputError(
-            "ToolController",
-            "%s (%s)" % (controller.Label, kind or "unknown kind"),
-            "only a ball end mill can be tilted: choose one, or set Controls to Feed.",
-        )
+    if posture:
+        remedy = "only a ball end mill can be tilted: choose one, or set Controls to Feed."
+        tool_controller.require_ball_end(controller, remedy)
     return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, tool_controller.flutes(controller.Tool))
 
 

@@ -162,13 +162,7 @@ def _face_breps(obj):
 
 
 def _tool(controller):
-    kind = host.tool_kind(controller.Tool)
-    if kind != "ballend":
-        raise InputError(
-            "ToolController",
-            "%s (%s)" % (controller.Label, kind or "unknown kind"),
-            "textures are milled with a ball end mill: choose one.",
-        )
+    tool_controller.require_ball_end(controller, "textures are milled with a ball end mill: choose one.")
     flutes = int(getattr(controller.Tool, "Flutes", 0))
     if flutes < 1:
         raise InputError("Flutes", flutes, "set the number of flutes of the tool bit.")

@@ -22,6 +22,13 @@ def require_tool(controller):
         )
 
 
+def require_ball_end(controller, remedy):
+    """Raises InputError naming ToolController, with `remedy`, if the tool is no ball end mill."""
+    kind = host.tool_kind(controller.Tool)
+    if kind != "ballend":
+        raise InputError("ToolController", "%s (%s)" % (controller.Label, kind or "unknown kind"), remedy)
+
+
 def flutes(bit):
     """How many a tool bit has; 1 if it does not say, for work that does not depend on them."""
     return max(1, int(getattr(bit, "Flutes", 1)))

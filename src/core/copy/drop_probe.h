@@ -22,7 +22,8 @@ class DropProbe {
   /// `radius` of the ball [mm, > 0]. The tree must outlive the probe. A probe serves one thread.
   DropProbe(const TriangleBvh& bvh, double radius);
 
-  /// The same as drop_ball(bvh, x, y, radius), to the last bit, whatever places came before.
+  /// Height z [mm] of the ball's centre over (x, y) [mm], kNoContact where nothing holds it: the same as
+  /// drop_ball(bvh, x, y, radius), to the last bit, whatever places came before.
   double operator()(double x, double y);
 
  private:

@@ -11,7 +11,7 @@ namespace patchmill {
 
 class DropSearch {
  public:
-  /// For a ball of `radius` [mm, > 0] over (x, y). What does not lift it above `floor` may be left out.
+  /// For a ball of `radius` [mm, > 0] over (x, y) [mm]. What does not lift it above `floor` may be left out.
   DropSearch(const TriangleBvh& bvh, double x, double y, double radius, double floor = kNoContact);
 
   double height() const { return height_; }  ///< best so far [mm]; kNoContact: none
@@ -19,7 +19,9 @@ class DropSearch {
     return triangle_;
   }  ///< index into TriangleBvh::triangles(); -1: none
 
-  void touch(std::int32_t triangle);  ///< begins with a good guess
+  /// Tries a triangle by its index; first of all one that is likely to be the highest.
+  void touch(std::int32_t triangle);
+  /// Tries the triangles of a leaf that can be higher than the best so far, or the whole tree's.
   void look_at(const DropLeaf& leaf);
   void look_at_all();
 

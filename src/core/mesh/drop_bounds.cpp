@@ -84,23 +84,39 @@ inline unsigned bits_above(const DropNode::Row& value, float limit) {
   return bits;
 }
 
-// `from_sides` tells the squared distance on the lid from its place to a single triangle, or 0.
+// What bounds child i for a ball over a place or a box of places. `from_sides` tells the squared distance on the lid
+// from its place to a single triangle, or 0.
+struct Limits {
+  float d2,
+      down;  // squared distance to the box; what the ball falls by from where the lid would hold it
+  float on_box;  // how high the box can hold it; sqrt(R^2 - d^2) <= R - d^2 / 2R
+};
+template <typename FromSides>
+inline Limits limits(const DropNode& node, const DropBall& ball, const FromSides& from_sides,
+                     int i) {
+  const float d2 = to_box(node, ball, i);
+  const Ahead q = ahead(node, ball, i);
+  const float e2 = from_lid(node, ball, q, i);
+  return {d2, fall(node, ball, e2, larger(e2, from_sides(q, i)), i),
+          node.top[i] + ball.radius - d2 * ball.half_curve};
+}
+
+// Whether the box of child i, which is d away, holds the ball no higher than `height`: the root itself, squared.
+inline bool too_low(const DropNode& node, const DropBall& ball, float d2, float height, int i) {
+  const float over = larger(height - node.top[i], 0.0f);
+  return over * over + d2 >= ball.radius2;
+}
+
 template <typename FromSides>
 inline unsigned bounds(const DropNode& node, const DropBall& ball, float best, DropNode::Row& bound,
                        const FromSides& from_sides) {
   DropNode::Row found;
   for (int i = 0; i < kDropWidth; ++i) {
-    const float d2 = to_box(node, ball, i);
-    const Ahead q = ahead(node, ball, i);
-    const float e2 = from_lid(node, ball, q, i);
-    const float down = fall(node, ball, e2, larger(e2, from_sides(q, i)), i);
+    const Limits limit = limits(node, ball, from_sides, i);
     const float on_lid = (node.slope_x[i] * ball.low_x + node.slope_y[i] * ball.low_y) +
-                         node.height[i] + ball.radius * node.stretch[i] - down;
-    // sqrt(R^2 - d^2) <= R - d^2 / 2R; and against `best` the root itself, squared
-    const float on_box = node.top[i] + ball.radius - d2 * ball.half_curve;
-    const float over = larger(best - node.top[i], 0.0f);
-    const float most = smaller(on_box, on_lid);
-    const bool cannot = over * over + d2 >= ball.radius2;
+                         node.height[i] + ball.radius * node.stretch[i] - limit.down;
+    const float most = smaller(limit.on_box, on_lid);
+    const bool cannot = too_low(node, ball, limit.d2, best, i);
     found[i] = cannot ? best : most;
   }
   std::copy_n(found, kDropWidth, bound);
@@ -117,18 +133,13 @@ inline unsigned above_floor(const DropNode& node, const DropFloor& floor,
                        std::abs(floor.slope_y) * floor.half_y;
   DropNode::Row height;
   for (int i = 0; i < kDropWidth; ++i) {
-    const float d2 = to_box(node, ball, i);
-    const Ahead q = ahead(node, ball, i);
-    const float e2 = from_lid(node, ball, q, i);
-    const float down = fall(node, ball, e2, larger(e2, from_sides(q, i)), i);
+    const Limits limit = limits(node, ball, from_sides, i);
     const float on_lid = (node.slope_x[i] * floor.middle_x + node.slope_y[i] * floor.middle_y) +
                          node.height[i] + std::abs(node.slope_x[i] - floor.slope_x) * floor.half_x +
                          std::abs(node.slope_y[i] - floor.slope_y) * floor.half_y +
-                         ball.radius * node.stretch[i] - down;
-    const float on_box = node.top[i] + ball.radius - d2 * ball.half_curve;
-    const float over = larger(lowest - node.top[i], 0.0f);
-    const float most = smaller(on_lid - floor.height, on_box - lowest);
-    const bool cannot = over * over + d2 >= ball.radius2;
+                         ball.radius * node.stretch[i] - limit.down;
+    const float most = smaller(on_lid - floor.height, limit.on_box - lowest);
+    const bool cannot = too_low(node, ball, limit.d2, lowest, i);
     height[i] = cannot ? 0.0f : most;
   }
   return bits_above(height, 0.0f);
