@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/copy/chosen_faces.h"
 
-#include "core/copy/drop_cutter.h"
+#include "core/copy/drop_probe.h"
 #include "core/copy/path_builder.h"
 
 #include <algorithm>
@@ -20,8 +20,9 @@ constexpr double kOverEdge = 0.5;
 
 using Centres = std::vector<Vec3>;
 
+// Asked along one cut.
 struct WorksOn {
-  const TriangleBvh& part;
+  DropProbe drop;  // on the part
   const TriangleBvh& faces;
   double radius, tolerance;
 
@@ -29,15 +30,15 @@ struct WorksOn {
     return is_over(faces, centre, radius + tolerance, kOverEdge);
   }
 
-  bool operator()(const Vec3& centre) const {
-    const double rest = drop_ball(part, centre.x(), centre.y(), radius);
+  bool operator()(const Vec3& centre) {
+    const double rest = drop(centre.x(), centre.y());
     const bool over = rest > kNoContact && rest <= centre.z() + tolerance;  // not beside a wall
     return (over && touches({centre.x(), centre.y(), rest})) || touches(centre);
   }
 };
 
 // The place between `kept` and `lost` where the ball leaves the faces, on the side that is kept.
-Vec3 limit_between(Vec3 kept, Vec3 lost, const WorksOn& works) {
+Vec3 limit_between(Vec3 kept, Vec3 lost, WorksOn& works) {
   while ((lost - kept).norm() > works.tolerance) {
     const Vec3 middle = 0.5 * (kept + lost);
     (works(middle) ? kept : lost) = middle;
@@ -46,7 +47,7 @@ Vec3 limit_between(Vec3 kept, Vec3 lost, const WorksOn& works) {
 }
 
 // The stretches of a cut on which the ball works on the faces.
-std::vector<Centres> kept_of(const Centres& cut, const WorksOn& works) {
+std::vector<Centres> kept_of(const Centres& cut, WorksOn works) {
   std::vector<Centres> out;
   Vec3 at = cut.front();
   bool on = works(at);
@@ -88,7 +89,8 @@ std::vector<Centres> cuts_of(const ToolPath& path) {
 ToolPath over_faces(const ToolPath& path, const TriangleBvh& part, const TriangleBvh& faces,
                     const CopyOptions& options, const Progress& progress) {
   require_valid(options);
-  const WorksOn works{part, faces, options.tool.radius + options.allowance, options.tolerance};
+  const double radius = options.tool.radius + options.allowance;
+  const WorksOn works{DropProbe(part, radius), faces, radius, options.tolerance};
   const std::vector<Centres> cuts = cuts_of(path);
   PathBuilder builder(options);
   constexpr std::size_t kBlock = 64;  // cuts side by side, asked to stop between blocks of them
