@@ -15,7 +15,7 @@ class PatchMillWorkbench(Workbench):  # noqa: F821  FreeCAD gives it
         self.__class__.Icon = os.path.join(root, "Resources", "icons", "PatchMill.svg")
 
     def Initialize(self):
-        from patchmill_gui import workbench
+        from patchmill_gui.app import workbench
 
         workbench.start()
         self.appendToolbar("PatchMill", workbench.toolbar())
@@ -26,4 +26,4 @@ class PatchMillWorkbench(Workbench):  # noqa: F821  FreeCAD gives it
 
 
 FreeCADGui.addWorkbench(PatchMillWorkbench())  # noqa: F821
-__import__("patchmill_gui.startup").startup.install()
+__import__("patchmill_gui.app.startup").app.startup.install()

@@ -23,7 +23,7 @@ def main():
     package = types.ModuleType("patchmill")  # the package without what its __init__ wants: the compiled core
     package.__path__ = [SOURCE]
     sys.modules["patchmill"] = package
-    from patchmill import host, post_probe as probe
+    from patchmill.freecad import host, post_probe as probe
 
     folders = [os.path.dirname(host.PathUtils.__file__)]
     folders.append(os.path.join(os.path.dirname(folders[0]), "Path", "Post", "scripts"))

@@ -11,7 +11,7 @@ import driver
 import FreeCAD
 import FreeCADGui
 import Part
-from patchmill_gui import machine_editor, resources
+from patchmill_gui.forms import machine_editor, resources
 from pivy import coin
 from PySide import QtCore, QtGui
 
@@ -105,7 +105,7 @@ def planar(part, face):
 
 
 def simulated(operation):
-    from patchmill_gui.simulate_panel import SimulatePanel
+    from patchmill_gui.panels.simulate_panel import SimulatePanel
 
     FreeCADGui.Selection.clearSelection()
     panel = SimulatePanel(operation)
@@ -123,7 +123,7 @@ def simulated(operation):
 
 
 def played(operation):
-    from patchmill_gui.player import PlayerPanel
+    from patchmill_gui.panels.player import PlayerPanel
 
     panel = PlayerPanel(operation, operation.Proxy.planned.path)
     FreeCADGui.Control.showDialog(panel)
@@ -134,7 +134,7 @@ def played(operation):
 
 
 def checked(operation):
-    from patchmill_gui.check_panel import CheckPanel
+    from patchmill_gui.panels.check_panel import CheckPanel
 
     panel = CheckPanel(operation)
     FreeCADGui.Control.showDialog(panel)

@@ -18,7 +18,7 @@ import matplotlib
 import numpy as np
 import Part
 import patchmill
-from patchmill import host
+from patchmill.freecad import host
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402

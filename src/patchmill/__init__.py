@@ -13,33 +13,37 @@ import importlib
 
 from _patchmill import InputError  # noqa: F401
 
+from patchmill import old_names
+
+old_names.FINDER.install()
+
 # Names that need FreeCAD's Path module are imported when first used, so that `import patchmill` is cheap.
 _LAZY = {
-    "PlanarTexture": ("patchmill.planar_texture", None),
-    "PyramidTexture": ("patchmill.pyramid_texture", None),
-    "CurvedTexture": ("patchmill.curved_texture", None),
-    "CalibrationPatch": ("patchmill.calibration_patch", None),
-    "DressupDCM": ("patchmill.dressup_dcm", None),
-    "CopyMilling": ("patchmill.copy_milling", None),
-    "dcm": ("patchmill.dcm", None),
-    "live": ("patchmill.live", None),
-    "tilted_path": ("patchmill.tilted_path", None),
-    "removal_model": ("patchmill.removal_model", None),
-    "advisor": ("patchmill.advisor", None),
-    "advise": ("patchmill.advisor", "advise"),
-    "mark_state": ("patchmill.advisor", "mark_state"),
-    "planned": ("patchmill.texture_operation", "planned"),
-    "recompute": ("patchmill.texture_operation", "recompute"),
+    "PlanarTexture": ("patchmill.operations.planar_texture", None),
+    "PyramidTexture": ("patchmill.operations.pyramid_texture", None),
+    "CurvedTexture": ("patchmill.operations.curved_texture", None),
+    "CalibrationPatch": ("patchmill.operations.calibration_patch", None),
+    "DressupDCM": ("patchmill.modifiers.dressup_dcm", None),
+    "CopyMilling": ("patchmill.operations.copy_milling", None),
+    "dcm": ("patchmill.modifiers.dcm", None),
+    "live": ("patchmill.verify.live", None),
+    "tilted_path": ("patchmill.path.tilted_path", None),
+    "removal_model": ("patchmill.voxels.removal_model", None),
+    "advisor": ("patchmill.texture.advisor", None),
+    "advise": ("patchmill.texture.advisor", "advise"),
+    "mark_state": ("patchmill.texture.advisor", "mark_state"),
+    "planned": ("patchmill.operations.texture_operation", "planned"),
+    "recompute": ("patchmill.operations.texture_operation", "recompute"),
     "post": ("patchmill.posting", "post"),
-    "simulate": ("patchmill.simulation", "simulate"),
-    "check": ("patchmill.checks", "check"),
+    "simulate": ("patchmill.verify.simulation", "simulate"),
+    "check": ("patchmill.verify.checks", "check"),
     "write_report": ("patchmill.report", "write_report"),
 }
 
 
 def __getattr__(name):
     if name not in _LAZY:
-        raise AttributeError("module 'patchmill' has no attribute %r" % name)
+        return old_names.FINDER.attribute(name)
     module, attribute = _LAZY[name]
     found = importlib.import_module(module)
     return getattr(found, attribute) if attribute else found

@@ -6,7 +6,7 @@ Choose `patchmill_fanuc` as the job's post-processor. It takes FreeCAD's usual a
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from patchmill.post_dialect import Dialect
+from patchmill.posting.post_dialect import Dialect
 
 DIALECT = Dialect("patchmill_fanuc", "fanuc", "Fanuc", precision=3, modal=True)
 TOOLTIP = DIALECT.tooltip

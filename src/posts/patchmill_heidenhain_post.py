@@ -5,7 +5,7 @@ Choose `patchmill_heidenhain` as the job's post-processor. It takes FreeCAD's us
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from patchmill.post_dialect import Dialect
+from patchmill.posting.post_dialect import Dialect
 
 DIALECT = Dialect("patchmill_heidenhain", "heidenhain", "Heidenhain TNC", precision=3)
 TOOLTIP = DIALECT.tooltip

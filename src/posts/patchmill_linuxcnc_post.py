@@ -6,7 +6,7 @@ Choose `patchmill_linuxcnc` as the job's post-processor. It takes FreeCAD's usua
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from patchmill.post_dialect import Dialect
+from patchmill.posting.post_dialect import Dialect
 
 DIALECT = Dialect("patchmill_linuxcnc", "linuxcnc", "LinuxCNC", precision=4)
 TOOLTIP = DIALECT.tooltip

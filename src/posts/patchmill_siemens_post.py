@@ -6,7 +6,7 @@ Choose `patchmill_siemens` as the job's post-processor. It takes FreeCAD's usual
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from patchmill.post_dialect import Dialect
+from patchmill.posting.post_dialect import Dialect
 
 DIALECT = Dialect("patchmill_siemens", "siemens", "Siemens 840D", precision=3, modal=True, line_numbers=True)
 TOOLTIP = DIALECT.tooltip

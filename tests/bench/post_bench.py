@@ -13,7 +13,7 @@ import time
 import FreeCAD
 import Path
 
-from patchmill import host
+from patchmill.freecad import host
 
 MOVES, SHARE = 1000000, 5
 POSTS = ("patchmill_linuxcnc", "patchmill_fanuc", "patchmill_siemens", "patchmill_heidenhain")

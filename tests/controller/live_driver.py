@@ -17,7 +17,7 @@ import linuxcnc
 GIVEN = json.load(open('live.json', encoding='utf-8'))
 sys.path.insert(0, GIVEN['module'])
 import _patchmill as core  # noqa: E402
-from patchmill import live as words  # noqa: E402
+from patchmill.verify import live as words  # noqa: E402
 
 
 def session():

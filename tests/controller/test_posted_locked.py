@@ -28,7 +28,7 @@ os.environ["PATCHMILL_MACHINES"] = %(folder)r
 import numpy as np
 import _patchmill as core
 import patchmill
-from patchmill import machines
+from patchmill.machine import machines
 from recipe import STEP, run
 data = dict(machines.load("linuxcnc-mill").data)
 data["linear_axes"] = dict(data["linear_axes"])

@@ -25,7 +25,8 @@ sys.path.insert(0, %(recipe)r)
 import numpy as np
 import patchmill
 import make_parts
-from patchmill import CopyMilling, DressupDCM, host
+from patchmill import CopyMilling, DressupDCM
+from patchmill.freecad import host
 from test_copy_milling import job_with_stock
 document, job = job_with_stock(make_parts.convex_part(), 1.0)
 job.PostProcessor = "patchmill_linuxcnc"

@@ -11,8 +11,8 @@ import time
 import driver
 import FreeCADGui
 import numpy as np
-from patchmill.texture_plan import place_texture
-from patchmill_gui.texture_scene import placed_displays, relief_display
+from patchmill.texture.plan import place_texture
+from patchmill_gui.views.texture_scene import placed_displays, relief_display
 
 
 def gib():

@@ -11,7 +11,7 @@ import threading
 import unittest
 
 import driver
-from patchmill_gui.background import NICER, Background
+from patchmill_gui.work.background import NICER, Background
 from PySide import QtCore
 
 

@@ -18,7 +18,7 @@ MAKE = """
 import sys
 sys.path.insert(0, %r)
 import FreeCAD, Part, patchmill
-from patchmill import quick_setup
+from patchmill.operations import quick_setup
 document = FreeCAD.newDocument("Made")
 part = document.addObject("Part::Feature", "Part")
 part.Shape = Part.makeSphere(12.0)

@@ -6,7 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCADGui
 import driver
 import numpy as np
-from patchmill_gui import tool_paths
+from patchmill_gui.app import tool_paths
 
 
 class CopyAndDcm(driver.BlockTest):

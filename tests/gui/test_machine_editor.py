@@ -11,7 +11,7 @@ from unittest import mock
 import driver
 import FreeCAD
 import FreeCADGui
-from patchmill import machines
+from patchmill.machine import machines
 from PySide import QtGui
 
 ACCELERATION = ("linear_axes", "acceleration_mm_s2")

@@ -12,7 +12,7 @@ import _patchmill as core
 import driver
 import FreeCAD
 import FreeCADGui
-from patchmill_gui import resources
+from patchmill_gui.forms import resources
 from PySide import QtGui
 
 STEP = resources.path("recipes", "xu2016", "block.step")

@@ -6,7 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCADGui
 import driver
 import numpy as np
-from patchmill_gui.player import PlayerPanel, Timeline
+from patchmill_gui.panels.player import PlayerPanel, Timeline
 
 
 class Player(driver.TexturedTest):

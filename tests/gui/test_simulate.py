@@ -10,10 +10,10 @@ import FreeCADGui
 import driver
 import numpy as np
 import patchmill
-from patchmill import checks
-from patchmill_gui.check_panel import CheckPanel
-from patchmill_gui.report_panel import ReportPanel
-from patchmill_gui.simulate_panel import SimulatePanel
+from patchmill.verify import checks
+from patchmill_gui.panels.check_panel import CheckPanel
+from patchmill_gui.panels.report_panel import ReportPanel
+from patchmill_gui.panels.simulate_panel import SimulatePanel
 
 
 class Simulate(driver.TexturedTest):

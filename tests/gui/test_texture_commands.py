@@ -9,8 +9,8 @@ import unittest
 import FreeCAD
 import FreeCADGui
 import driver
-from patchmill import host
-from patchmill_gui import examples
+from patchmill.freecad import host
+from patchmill_gui.app import examples
 
 COMMANDS = (
     "PatchMill_PlanarTexture",

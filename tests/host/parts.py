@@ -8,7 +8,7 @@ import unittest
 import FreeCAD
 import Part
 import patchmill
-from patchmill import host
+from patchmill.freecad import host
 
 V = FreeCAD.Vector
 

@@ -15,7 +15,7 @@ import patchmill
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
-from patchmill import host  # noqa: E402
+from patchmill.freecad import host  # noqa: E402
 from recipe import ROOT, small_job  # noqa: E402
 
 

@@ -12,7 +12,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from milling_jobs import Path, dress, make_job, native, pocket_part  # noqa: E402
 from parts import WithDocuments  # noqa: E402
-from patchmill import DressupDCM, InputError, base_path  # noqa: E402
+from patchmill import DressupDCM, InputError  # noqa: E402
+from patchmill.path import base_path  # noqa: E402
 
 BEGIN = ["G0 X0 Y0 Z25", "G1 X0 Y0 Z10 F5"]
 

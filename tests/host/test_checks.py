@@ -13,7 +13,7 @@ import unittest
 import FreeCAD
 import Part
 import patchmill
-from patchmill import host
+from patchmill.freecad import host
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from parts import WithDocuments  # noqa: E402

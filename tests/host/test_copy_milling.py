@@ -20,7 +20,8 @@ import Part  # noqa: E402
 import patchmill  # noqa: E402
 from milling_jobs import make_job, pocket_part  # noqa: E402
 from parts import WithDocuments  # noqa: E402
-from patchmill import CopyMilling, InputError, host  # noqa: E402
+from patchmill import CopyMilling, InputError  # noqa: E402
+from patchmill.freecad import host  # noqa: E402
 from test_real_parts import IDF, OCCT, read  # noqa: E402
 
 RADIUS, TOLERANCE = 3.0, 0.01

@@ -16,7 +16,9 @@ import FreeCAD  # noqa: E402
 import _patchmill as core  # noqa: E402
 import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
-from patchmill import machines, post_dialect, tool_posture  # noqa: E402
+from patchmill.machine import machines  # noqa: E402
+from patchmill.posting import post_dialect  # noqa: E402
+from patchmill.texture import tool_posture  # noqa: E402
 from recipe import small_job  # noqa: E402
 
 POSTS = {

@@ -16,7 +16,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
-from patchmill import machines  # noqa: E402
+from patchmill.machine import machines  # noqa: E402
 
 KINDS = {
     "table-table-ac": ("CA", ["table", "table"]),

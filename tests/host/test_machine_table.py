@@ -10,7 +10,7 @@ import sys
 import unittest
 
 from _patchmill import InputError
-from patchmill import machine_table, machines
+from patchmill.machine import machine_table, machines
 
 STRANGE = ["", "0", "-1", "1e99", "fast", "yes", "1, 2", "3, 2", "1, 2, 3", "0 0 1", "null", "{}", "tip", "A"]
 

@@ -11,7 +11,7 @@ import unittest
 import numpy as np
 import Part
 import patchmill
-from patchmill import texture_mask
+from patchmill.texture import masks
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from parts import V, WithDocuments, job_on, tilted_box  # noqa: E402
@@ -91,7 +91,7 @@ class Masks(WithDocuments):
     def test_transparent_pixels_are_white(self):
         pixels = np.zeros((2, 2, 4))
         pixels[0, 0, 3] = 1.0  # one opaque black pixel
-        grey = texture_mask.read_grey(self.picture(pixels))
+        grey = masks.read_grey(self.picture(pixels))
         self.assertTrue((np.round(grey, 6) == [[0, 1], [1, 1]]).all())
 
 

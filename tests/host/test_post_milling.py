@@ -18,7 +18,8 @@ import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
 from milling_jobs import dress, make_job, pocket_part  # noqa: E402
 from parts import WithDocuments  # noqa: E402
-from patchmill import CopyMilling, DressupDCM, InputError, posted_milling  # noqa: E402
+from patchmill import CopyMilling, DressupDCM, InputError  # noqa: E402
+from patchmill.verify import posted_milling  # noqa: E402
 
 PLAIN = "--no-header --no-show-editor"
 

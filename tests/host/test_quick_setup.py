@@ -9,7 +9,8 @@ import unittest
 import FreeCAD
 import Part
 import patchmill
-from patchmill import host, preferences, quick_setup, texture_operation
+from patchmill.freecad import host, preferences
+from patchmill.operations import quick_setup, texture_operation
 
 
 class QuickSetup(unittest.TestCase):

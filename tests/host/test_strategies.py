@@ -17,7 +17,7 @@ import unittest
 import FreeCAD
 import numpy as np
 import patchmill
-from patchmill import machines
+from patchmill.machine import machines
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from parts import saved_and_reopened  # noqa: E402

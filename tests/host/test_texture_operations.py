@@ -13,8 +13,8 @@ import _patchmill as core
 import numpy as np
 import Part
 import patchmill
-from patchmill.texture_properties import PROPERTIES
-from patchmill.texture_results import RESULTS
+from patchmill.properties.texture_properties import PROPERTIES
+from patchmill.properties.texture_results import RESULTS
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from parts import V, WithDocuments, job_on, tilted_box  # noqa: E402

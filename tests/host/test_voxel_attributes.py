@@ -20,7 +20,8 @@ import patchmill  # noqa: E402
 from milling_jobs import CONTACT, HIGH, LOW, contact_off  # noqa: E402
 from milling_jobs import add_profile, dress, make_job, pocket_part  # noqa: E402
 from parts import WithDocuments  # noqa: E402
-from patchmill import DressupDCM, InputError, voxel_slices  # noqa: E402
+from patchmill import DressupDCM, InputError  # noqa: E402
+from patchmill.voxels import voxel_slices  # noqa: E402
 
 
 class Attributes(WithDocuments):

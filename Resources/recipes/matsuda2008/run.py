@@ -13,7 +13,7 @@ import os
 import FreeCAD
 import Part
 import patchmill
-from patchmill import host
+from patchmill.freecad import host
 
 V = FreeCAD.Vector
 TOOL_DIAMETER, FLUTES, SPEED = 2.0, 2, 1000.0  # mm, 1, rpm

@@ -11,7 +11,7 @@ import os
 import FreeCAD
 import Part
 import patchmill
-from patchmill import host
+from patchmill.freecad import host
 
 # Table 2 of the paper, and what it leaves open: 14 dimples a side make 8 x 8 patches of 56 mm.
 TOOL_DIAMETER, FLUTES, SPEED, FEED, SPACING = 2.0, 2, 1000.0, 434.413, 0.5

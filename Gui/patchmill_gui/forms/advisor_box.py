@@ -1,0 +1,61 @@
+"""The advisor's proposals in the panel of a planar texture in free form: one click takes one over.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from _patchmill import InputError
+from patchmill.texture import advisor
+from PySide import QtGui
+
+from patchmill_gui.forms.widgets import translate
+
+
+class AdvisorBox(QtGui.QGroupBox):
+    """`taken()` is called when a proposal was taken over into the operation's properties."""
+
+    def __init__(self, obj, taken):
+        super().__init__(translate("Marks in rows"))
+        self.obj, self.taken = obj, taken
+        self.array = QtGui.QComboBox()
+        self.array.addItems(["Square", "Staggered"])
+        ask = QtGui.QPushButton(translate("Propose"))
+        ask.setObjectName("Propose")
+        ask.clicked.connect(self.ask)
+        row = QtGui.QHBoxLayout()
+        row.addWidget(self.array)
+        row.addWidget(ask)
+        layout = QtGui.QVBoxLayout(self)
+        layout.addLayout(row)
+        self.list = QtGui.QVBoxLayout()
+        layout.addLayout(self.list)
+        self.buttons = []
+
+    def ask(self):
+        """Lists the proposals next to what the properties say now, the least change first."""
+        for button in self.buttons:
+            button.deleteLater()
+        self.buttons = []
+        try:
+            proposals = advisor.advise_operation(self.obj, self.array.currentText())
+        except InputError as error:
+            self._add(QtGui.QLabel(str(error)))
+            return
+        for proposal in proposals:
+            button = QtGui.QPushButton(proposal.changes)
+            button.setToolTip(
+                translate("side {:.4f} mm, cross-feed {:.4f} mm, feed per tooth {:.4f} mm: {}").format(
+                    proposal.side, proposal.cross_feed, proposal.feed_per_tooth, proposal.state
+                )
+            )
+            button.setMinimumWidth(30)
+            button.setStyleSheet("text-align: left")
+            button.clicked.connect(lambda *_, chosen=proposal: self._take(chosen))
+            self._add(button)
+
+    def _add(self, widget):
+        self.buttons.append(widget)
+        self.list.addWidget(widget)
+
+    def _take(self, proposal):
+        advisor.take(self.obj, proposal)
+        self.taken()

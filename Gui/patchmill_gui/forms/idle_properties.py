@@ -1,0 +1,100 @@
+"""Which properties of a texture or DCM modifier mean nothing while others are as they are: a panel hides
+their rows.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from patchmill.properties.axis_properties import AXIS_PROPERTIES
+from patchmill.texture import strategies, tool_posture
+
+MASK = {
+    "MaskImage",
+    "MaskCurves",
+    "MaskInvert",
+    "MaskWidth",
+    "MaskCentre",
+    "MaskThreshold",
+    "DepthAtBlack",
+    "DepthAtWhite",
+}
+POLYGONS = (strategies.CONSTANT, strategies.FITTED)
+
+
+def _mask(obj):
+    if obj.MaskUse == "None":
+        return MASK
+    idle = set()
+    if obj.MaskImage:
+        idle.add("MaskCurves")
+    else:
+        idle |= {"MaskWidth", "MaskCentre"}
+    if obj.MaskUse != "Leave out" or not obj.MaskImage:
+        idle.add("MaskThreshold")
+    if obj.MaskUse != "Depth":
+        idle |= {"DepthAtBlack", "DepthAtWhite"}
+    return idle
+
+
+def _axis(obj):
+    fixed, normal, minimum, field = tool_posture.MODES
+    used = {
+        fixed: {"FixedAxis"},
+        normal: {"Lead", "Tilt", "LeadTowards", "AxisSmoothing"},
+        minimum: {"FixedAxis", "MinimumLead", "LeadTowards", "AxisSmoothing"},
+        field: {"AxisSmoothing", "MinimumLead", "LeadTowards", "PostureField", "FieldVoxelSize"},
+    }[obj.ToolAxisMode]
+    if obj.PostureField is not None:
+        used.discard("FieldVoxelSize")
+    always = {"ToolAxisMode", "WidestTilt", "RowTolerance", "ProgramForm", "GaugeLength"}
+    if obj.ToolAxisMode == fixed:
+        always -= {"WidestTilt", "RowTolerance"}
+    if obj.Strategy != strategies.LOCKED:
+        always.discard("RowTolerance")
+    return {row[1] for row in AXIS_PROPERTIES} - used - always
+
+
+def _form(obj):
+    if not hasattr(obj, "Form"):
+        return set()
+    if obj.Form == "Free":
+        return {"Spacing", "Depth", "DimpleDiameter", "RidgeHeight", "TextureKind", "PatchSide"}
+    return {"FreeSide", "CrossFeed", "FeedPerTooth"}
+
+
+def idle_properties(obj):
+    """Names of the properties of the texture operation `obj` that have no effect now."""
+    idle = _mask(obj) | _axis(obj) | _form(obj)
+    if obj.AutoOrigin:
+        idle.add("Origin")
+    if obj.AutoDirection:
+        idle.add("Direction")
+    if obj.TextureKind == "Overlapping":
+        idle.add("AreaShare")
+    idle.add("ExtraTurns" if obj.Strategy not in POLYGONS else "Lift")
+    return idle
+
+
+FEED = {
+    "FeedAtProduct",
+    "FeedAtSkin",
+    "KeepPlunges",
+    "Materials",
+    "Diffusion",
+    "FeedTolerance",
+}
+TRANSIENT = {"DiffusionTime", "TimeStep", "Diffusivity", "SubSteps"}
+POSTURE = {"PostureForm", "TiltLimit", "AxisTolerance", "Holder", "HolderClearance"}
+
+
+def idle_dcm_properties(obj):
+    """Names of the properties of the DressupDCM `obj` that have no effect now."""
+    idle = set()
+    if obj.Controls == "Feed":
+        idle |= POSTURE
+    if obj.Controls == "Posture":
+        idle |= FEED | TRANSIENT
+    if obj.Diffusion == "Steady":
+        idle |= TRANSIENT
+    if not obj.Holder:
+        idle.add("HolderClearance")
+    return idle

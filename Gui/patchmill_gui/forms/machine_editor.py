@@ -1,0 +1,195 @@
+"""Window in which machine files are looked at, copied and changed: a row to everything that a file may say.
+
+Shipped files are not touched: a changed one is saved in the user's folder, and stands before the shipped one.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import FreeCADGui
+from _patchmill import InputError
+from FreeCAD import Qt
+from patchmill.machine import machine_table, machines
+from PySide import QtCore, QtGui
+
+PLACE = QtCore.Qt.UserRole
+VALUE = 1  # column
+
+
+def translate(text):
+    return Qt.translate("PatchMill", text)
+
+
+def show(key=None):
+    """Shows the window, the one that is open if there is one; returns it."""
+    for window in FreeCADGui.getMainWindow().findChildren(MachineEditor):
+        if window.isVisible():
+            break
+    else:
+        window = MachineEditor(key)
+        window.show()
+    window.raise_()
+    window.activateWindow()
+    return window
+
+
+class MachineEditor(QtGui.QDialog):
+    """`key`: the machine that is shown first, or None."""
+
+    def __init__(self, key=None, parent=None):
+        super().__init__(parent or FreeCADGui.getMainWindow())
+        self.setWindowTitle(translate("Machines"))
+        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        self.resize(620, 720)
+        self.data = self.key = None
+        self.changed = False
+        self._build()
+        self._list(key)
+
+    def _build(self):
+        self.choice, self.tree = QtGui.QComboBox(), QtGui.QTreeWidget()
+        self.tree.setHeaderLabels([translate("What"), translate("Value"), translate("Unit")])
+        self.tree.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self.tree.setAlternatingRowColors(True)
+        self.where, self.message = QtGui.QLabel(), QtGui.QLabel()
+        self.message.setStyleSheet("color: #c0392b")
+        for label in (self.where, self.message):
+            label.setWordWrap(True)
+        self.buttons = {}
+        row = QtGui.QHBoxLayout()
+        for name, text, call in [
+            ("save", translate("Save"), self.save),
+            ("copy", translate("Save as …"), self._ask_copy),
+            ("remove", translate("Remove my file"), self.remove),
+            ("close", translate("Close"), self.reject),
+        ]:
+            button = self.buttons[name] = QtGui.QPushButton(text)
+            button.setAutoDefault(False)
+            button.clicked.connect(lambda checked=False, call=call: call())
+            row.addWidget(button)
+        layout = QtGui.QVBoxLayout(self)
+        for widget in (self.choice, self.where, self.tree, self.message):
+            layout.addWidget(widget)
+        layout.addLayout(row)
+        self.choice.activated.connect(lambda _: self.show_machine(self.choice.currentText()))
+        self.tree.itemChanged.connect(self._typed)
+        self.tree.itemClicked.connect(self._edit)
+        self.tree.itemActivated.connect(self._edit)
+
+    def _list(self, key):
+        names = machines.names()
+        self.choice.clear()
+        self.choice.addItems(names)
+        key = key if key in names else names[0]
+        self.choice.setCurrentText(key)
+        self.show_machine(key)
+
+    def show_machine(self, key):
+        """Shows a machine file; what was typed for the one before is gone."""
+        self.key = key
+        try:
+            self.data = machines.load(key).data
+        except InputError as error:
+            self.tree.clear()
+            self._say(error)
+            return
+        own = machines.own(key)
+        self.where.setText(translate("Your own file.") if own else translate("Comes with PatchMill."))
+        self.buttons["remove"].setEnabled(own)
+        self._fill()
+        self._say(None)
+        self._mark(False)
+
+    def _fill(self):
+        self.tree.blockSignals(True)
+        self.tree.clear()
+        self.items, parents = {}, {(): self.tree.invisibleRootItem()}
+        for row in machine_table.rows(self.data):
+            item = QtGui.QTreeWidgetItem(parents[row.place[: _depth(row.place, parents)]])
+            item.setData(0, PLACE, row.place)
+            item.setText(0, row.label)
+            item.setText(2, "" if row.heading else row.unit)
+            if row.heading:
+                parents[row.place] = item
+            else:
+                self._fill_value(item, row)
+                self.items[row.place] = item
+        self.tree.expandAll()
+        for column in (0, 2):
+            self.tree.resizeColumnToContents(column)
+        self.tree.setColumnWidth(VALUE, 280)
+        self.tree.blockSignals(False)
+
+    def _fill_value(self, item, row):
+        if row.words:
+            box = QtGui.QComboBox()
+            box.addItems(row.words)
+            box.setCurrentText(row.text)
+            box.currentTextChanged.connect(lambda text, place=row.place: self.set_text(place, text))
+            self.tree.setItemWidget(item, VALUE, box)
+        else:
+            item.setText(VALUE, row.text)
+            item.setFlags(item.flags() | QtCore.Qt.ItemIsEditable)
+
+    def _edit(self, item, column):
+        if item.flags() & QtCore.Qt.ItemIsEditable:
+            self.tree.editItem(item, VALUE)
+
+    def _typed(self, item, column):
+        if column == VALUE:
+            self.set_text(item.data(0, PLACE), item.text(VALUE))
+
+    def set_text(self, place, text):
+        """What the row at `place` says now."""
+        self.data = machine_table.with_text(self.data, tuple(place), text)
+        self._mark(True)
+
+    def _mark(self, changed):
+        self.changed = changed
+        self.buttons["save"].setEnabled(changed)
+
+    def save(self, key=None):
+        """Saves what is shown, as `key` if given; returns whether it was sound. What is wrong is said below
+        the rows, and its row chosen."""
+        key = key or self.key
+        try:
+            machines.save(key, self.data)
+        except InputError as error:
+            self._say(error)
+            self._choose(error.property)
+            return False
+        self._list(key)
+        return True
+
+    def _ask_copy(self):
+        name, good = QtGui.QInputDialog.getText(
+            self, translate("Save as"), translate("Name of the new machine file:"), text=self.key + "-mine"
+        )
+        if good:
+            self.save(name.strip())
+
+    def remove(self):
+        """Takes the user's own file away; a shipped one of the same name shows again."""
+        machines.remove(self.key)
+        self._list(self.key)
+
+    def reject(self):
+        if self.changed:
+            answer = QtGui.QMessageBox.question(
+                self, translate("Machines"), translate("Close without saving what was changed?")
+            )
+            if answer != QtGui.QMessageBox.Yes:
+                return
+        super().reject()
+
+    def _say(self, error):
+        self.message.setText(str(error) if error else "")
+
+    def _choose(self, property):
+        place = tuple(property.partition(": /")[2].split("/"))
+        if place in self.items:
+            self.tree.setCurrentItem(self.items[place], VALUE)
+
+
+def _depth(place, parents):
+    """How many of a place's words lead to the heading that it is below."""
+    return max(count for count in range(len(place)) if place[:count] in parents)

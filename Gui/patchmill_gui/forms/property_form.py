@@ -1,0 +1,165 @@
+"""A form made from an operation's table of properties: a row for each, grouped as the table groups them,
+with its unit, its tip, and room for a sentence below it that says what is wrong.
+
+The table's rows are (type, name, group, tip, default); see patchmill.property_table.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import re
+
+from PySide import QtCore, QtGui
+
+from patchmill.voxels import axis_field
+
+from patchmill_gui.forms.choice_rows import ChoiceRow, MachineRow, ObjectListRow, ObjectRow
+from patchmill_gui.forms.property_rows import (
+    QUANTITIES,
+    FileRow,
+    FlagRow,
+    LinesRow,
+    NumberRow,
+    QuantityRow,
+    TextRow,
+    VectorRow,
+)
+from patchmill_gui.forms.widgets import ERROR_COLOUR, let_shrink
+
+
+def label_of(name):
+    """'PatchSide' -> 'Patch side'."""
+    words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
+    return words[:1] + words[1:].lower() if not words.endswith(("X", "Y")) else words
+
+
+class Group(QtGui.QWidget):
+    """A heading that opens and closes the rows below it."""
+
+    def __init__(self, title, is_open):
+        super().__init__()
+        layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(2)
+        self.heading = QtGui.QToolButton()
+        self.heading.setText(title)
+        self.heading.setObjectName("Group" + title)
+        self.heading.setCheckable(True)
+        self.heading.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+        self.heading.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
+        self.heading.setStyleSheet("font-weight: bold; border: none; text-align: left")
+        self.body = QtGui.QWidget()
+        self.rows = QtGui.QFormLayout(self.body)
+        self.rows.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        self.rows.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+        self.rows.setContentsMargins(8, 0, 2, 4)
+        self.rows.setHorizontalSpacing(4)
+        self.rows.setVerticalSpacing(3)
+        layout.addWidget(self.heading)
+        layout.addWidget(self.body)
+        self.heading.toggled.connect(self._toggle)
+        self.heading.setChecked(is_open)
+        self._toggle(is_open)
+
+    def _toggle(self, on):
+        self.heading.setArrowType(QtCore.Qt.DownArrow if on else QtCore.Qt.RightArrow)
+        self.body.setVisible(on)
+
+
+class PropertyForm(QtCore.QObject):
+    """Groups with rows for `table`, to be added to a layout; those named in `closed` start closed.
+    `changed` comes after any edit."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, table, obj, closed=()):
+        super().__init__()
+        self.closed = closed
+        self.obj = obj
+        self.rows = {}
+        self.groups = {}
+        self._showing = False
+        for kind, name, group, tip, _ in table:
+            self._add(row_for(kind, name, obj), name, group, tip)
+
+    def _add(self, row, name, group, tip):
+        if group not in self.groups:
+            self.groups[group] = Group(group, group not in self.closed)
+        label = QtGui.QLabel(label_of(name))
+        label.setWordWrap(True)
+        for widget in (label, row.editor):
+            widget.setToolTip(tip)
+        row.editor.setObjectName(name)
+        let_shrink(row.editor)
+        row.label = label
+        row.error = QtGui.QLabel()
+        row.error.setWordWrap(True)
+        row.error.setStyleSheet("color: " + ERROR_COLOUR)
+        row.error.hide()
+        layout = self.groups[group].rows
+        row.group = self.groups[group]
+        layout.addRow(label, row.editor)
+        layout.addRow(row.error)
+        for signal in row.changed if isinstance(row.changed, list) else [row.changed]:
+            signal.connect(self._edited)
+        self.rows[name] = row
+
+    def _edited(self, *_):
+        if not self._showing:
+            self.changed.emit()
+
+    def show(self):
+        """Properties to editors, without `changed`."""
+        self._showing = True
+        for row in self.rows.values():
+            row.show(self.obj)
+        self._showing = False
+
+    def store(self):
+        """Editors to properties."""
+        for row in self.rows.values():
+            row.store(self.obj)
+
+    def show_only(self, names):
+        """Hides the rows of all other properties."""
+        for name, row in self.rows.items():
+            row.editor.setVisible(name in names)
+            row.label.setVisible(name in names)
+
+    def show_error(self, error):
+        """Puts the sentence of an InputError below its field; None clears all, and so does an exception that
+        names no property. Returns whether there is such a field."""
+        named = getattr(error, "property", None)
+        for name, row in self.rows.items():
+            mine = named == name
+            row.error.setVisible(mine)
+            row.error.setText("%s: %s" % (error.value, error.remedy) if mine else "")
+            if mine:
+                row.group.heading.setChecked(True)
+        return named in self.rows
+
+
+def row_for(kind, name, obj):
+    """The Row for a property of FreeCAD type `kind`."""
+    if name == "Machine":
+        return MachineRow(name, obj)
+    if name == "PostureField":
+        return ObjectRow(name, obj, axis_field.gives_field)
+    if kind in QUANTITIES:
+        return QuantityRow(name, obj)
+    if kind in ("App::PropertyInteger", "App::PropertyIntegerConstraint"):
+        return NumberRow(name, obj, True)
+    simple = {
+        "App::PropertyEnumeration": ChoiceRow,
+        "App::PropertyBool": FlagRow,
+        "App::PropertyVector": VectorRow,
+        "App::PropertyFile": FileRow,
+        "App::PropertyFileIncluded": FileRow,
+        "App::PropertyLink": ObjectRow,
+        "App::PropertyLinkListGlobal": ObjectListRow,
+        "App::PropertyStringList": LinesRow,
+    }
+    if kind in simple:
+        return simple[kind](name, obj)
+    if kind == "App::PropertyFloat":
+        return NumberRow(name, obj, False)
+    return TextRow(name, obj)

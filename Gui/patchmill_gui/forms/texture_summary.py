@@ -1,0 +1,58 @@
+"""Sentences about a texture, as rich text for panels: how many dimples, what is left out, how long.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import _patchmill as core
+
+from patchmill_gui.forms.widgets import translate
+
+THIN = "\u202f"  # narrow, and lines do not break there
+
+
+def grouped(number):
+    """12544 -> '12 544' with a narrow space."""
+    return "{:,}".format(number).replace(",", THIN)
+
+
+def duration(seconds):
+    """Seconds as hours and minutes, as one says them."""
+    if seconds < 60.0:
+        return "%.0f s" % seconds
+    minutes = int(round(seconds / 60.0))
+    return "%d min" % minutes if minutes < 60 else "%d h %02d min" % divmod(minutes, 60)
+
+
+def _counts(counts):
+    colours = core.state_colours()
+    parts = [
+        '<span style="color:rgb(%d,%d,%d)">\u25a0</span>&nbsp;%s:&nbsp;%s'
+        % (*colours[name], translate(name), grouped(number))
+        for name, number in counts.items()
+        if number
+    ]
+    return "<br>".join(parts)
+
+
+def placed_summary(placed):
+    """Of a PlacedTexture."""
+    counts = dict(placed.dimples.counts())
+    head = translate("{} dimples in {} patches").format(
+        grouped(counts["cut"]), grouped(len(placed.free or placed.division))
+    )
+    return "<b>%s</b><br>%s" % (head, _counts(counts))
+
+
+def planned_summary(planned):
+    """Of a PlannedTexture: the above, and what the timing gives."""
+    statistics = planned.path.statistics()
+    turns = statistics["cut_turns"] / max(1, planned.counts["cut"])
+    lines = [
+        placed_summary(planned),
+        translate("{} of milling, {:.2f} turns per dimple").format(
+            duration(statistics["timed_seconds"]), turns
+        ),
+    ]
+    if planned.pacing.verdict is not None:
+        lines.append(planned.pacing.verdict.sentence)
+    return "<br>".join(lines)

@@ -1,0 +1,51 @@
+"""Panel that checks a texture's path for gouges and collisions, and shows where the worst is.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import FreeCADGui
+from patchmill.verify import checks
+from pivy import coin
+
+from patchmill_gui.forms.widgets import ERROR_COLOUR, translate
+from patchmill_gui.work.work_panel import WorkPanel
+
+MARKS = 200  # findings that are shown in the view
+
+
+class CheckPanel(WorkPanel):
+    """Task panel for a texture operation; the check starts at once."""
+
+    def __init__(self, operation):
+        super().__init__(translate("Check {}").format(operation.Label))
+        self.root = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
+        self.marks = coin.SoSeparator()
+        self.root.addChild(self.marks)
+        self.add_progress()
+        self.text.setText(translate("Checking …"))
+        self.bar.begin()
+        given = checks.check_input(operation)
+        self.work.start(lambda progress: checks.run_check(given, progress=progress))
+
+    def show_result(self, result):
+        self.result = result
+        self.bar.show_share(1.0, 0.0)
+        colour = {checks.CLEAR: "#2e7d32", checks.UNKNOWN: "#b26a00"}.get(result.outcome, ERROR_COLOUR)
+        self.text.setText('<b style="color:%s">%s</b>' % (colour, result.sentence))
+        for finding in sorted(result.findings, key=lambda f: -f.depth)[:MARKS]:
+            self.marks.addChild(_mark(finding.place, 0.5 if finding is not result.worst else 1.0))
+
+    def leave(self):
+        super().leave()
+        self.root.removeChild(self.marks)
+
+
+def _mark(place, size):
+    separator = coin.SoSeparator()
+    move, material, ball = coin.SoTranslation(), coin.SoMaterial(), coin.SoSphere()
+    move.translation.setValue(*place)
+    material.diffuseColor = (0.85, 0.1, 0.1)
+    ball.radius = size
+    for node in (move, material, ball):
+        separator.addChild(node)
+    return separator

@@ -1,0 +1,106 @@
+"""What the views, panels and their pages of our operations share, over FreeCAD's own.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from PySide import QtGui
+
+from patchmill_gui.forms.property_form import PropertyForm
+from patchmill_gui.forms.resources import native
+from patchmill_gui.forms.widgets import let_shrink, translate
+
+
+class OperationView(native("operation").ViewProvider):
+    """FreeCAD's view provider with our selection gate, icon and panel. A subclass gives `make_panel`."""
+
+    def __init__(self, vobj, resources):
+        super().__init__(vobj, resources)
+        self.OpIcon = resources.pixmap
+        self.deleteOnReject = False  # what Cancel takes back is the transaction that made it, if that is open
+        vobj.Proxy = self
+
+    def loads(self, state):
+        above = super()
+        (above.loads if hasattr(above, "loads") else above.__setstate__)(state)
+        self.deleteOnReject = False
+
+    __setstate__ = loads  # FreeCAD 0.20 knows it by this name
+
+    def getSelectionFactory(self):
+        return native("selection").fselect
+
+    def make_panel(self, obj, page):
+        """The task panel for `obj` with its own page."""
+        raise NotImplementedError
+
+    def setEdit(self, vobj=None, mode=0):
+        if mode != 0:
+            return False
+        vobj = vobj if vobj is not None and hasattr(vobj, "Object") else self.vobj
+        page = self.getTaskPanelOpPage(vobj.Object)
+        page.setTitle(self.OpName)
+        page.setIcon(self.OpIcon)
+        self.setupTaskPanel(self.make_panel(vobj.Object, page))
+        return True
+
+
+class OperationPanel(native("operation").TaskPanel):
+    """FreeCAD's panel; Apply previews, and OK closes it when the work behind it is done. A subclass gives
+    `preview`, starts its work in `accept` and calls `close_with` at the end."""
+
+    def preview(self):
+        """Shows, when it is there, what the properties as they are would give."""
+        raise NotImplementedError
+
+    def clicked(self, button):
+        if button == QtGui.QDialogButtonBox.Apply:
+            self.panelGetFields()
+            self.setClean()
+            self.preview()
+
+    def close_with(self, ready):
+        """Recomputes the operation with what was made beforehand, and closes. Not to be called inside
+        FreeCAD's own call of accept, where it commits nothing."""
+        self.obj.Proxy.ready = ready
+        self.obj.Document.recompute()  # inside the transaction
+        super().accept()
+
+
+class OperationPage(native("operation").TaskPanelPage):
+    """A page with tool controller, coolant and a form of the operation's properties. A subclass builds its
+    form with `begin_form` and adds to it."""
+
+    def begin_form(self, table, closed=()):
+        """(form, layout): tool controller and coolant in it; `self.properties` is made, its groups are not
+        in it yet."""
+        form = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(form)
+        layout.setContentsMargins(2, 2, 8, 2)  # FreeCAD clips its pages on the right
+        form.toolController, form.coolantController = QtGui.QComboBox(), QtGui.QComboBox()
+        rows = QtGui.QFormLayout()
+        for text, combo in (
+            ("Tool controller", form.toolController),
+            ("Coolant", form.coolantController),
+        ):
+            let_shrink(combo)
+            rows.addRow(translate(text), combo)
+        layout.addLayout(rows)
+        self.properties = PropertyForm(table, self.obj, closed)
+        return form, layout
+
+    def getFields(self, obj):
+        self.properties.store()
+        self.updateToolController(obj, self.form.toolController)
+        self.updateCoolant(obj, self.form.coolantController)
+
+    def setFields(self, obj):
+        self.properties.show()
+        self.setupToolController(obj, self.form.toolController)
+        self.setupCoolant(obj, self.form.coolantController)
+
+    def getSignalsForUpdate(self, obj):
+        return [
+            self.properties.changed,
+            self.form.toolController.currentIndexChanged,
+            self.form.coolantController.currentIndexChanged,
+        ]

@@ -1,0 +1,123 @@
+"""Panel that simulates the marks of a texture and shows the relief on the part, with a legend and a table.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import patchmill
+from _patchmill import InputError
+from patchmill.operations.texture_operation import planned
+from PySide import QtCore, QtGui
+
+from patchmill_gui.forms.choice_rows import MachineBox
+from patchmill_gui.forms.widgets import let_shrink, translate
+from patchmill_gui.panels.texture_view import RELIEF
+from patchmill_gui.views.legend import LegendPlace
+from patchmill_gui.views.texture_scene import relief_display
+from patchmill_gui.work.work_panel import WorkPanel
+
+MOST_POINTS = 10**7
+
+
+def relief_of(result):
+    """(displays, low, high in µm) of a SimulatedTexture, thinned to what a display can hold."""
+    rows, columns = result.heights.shape
+    stride = 1
+    while (rows // stride) * (columns // stride) > MOST_POINTS:
+        stride += 1
+    points, heights = result.surface(stride=stride)
+    return relief_display(points, 1000.0 * heights)
+
+
+class SimulatePanel(WorkPanel):
+    """Task panel for a texture operation. The relief stays displayed when it closes."""
+
+    def __init__(self, operation):
+        super().__init__(translate("Simulate marks"))
+        self.operation = operation
+        self.plan = planned(operation)
+        self.scene = operation.ViewObject.Proxy.scene
+        self.legend = LegendPlace()
+        self.layout.addLayout(self._rows())
+        self.button = QtGui.QPushButton(translate("Simulate"))
+        self.button.setObjectName("Simulate")
+        self.button.clicked.connect(self.simulate)
+        self.layout.addWidget(self.button)
+        self.text.setTextFormat(QtCore.Qt.RichText)
+        self.add_progress()
+
+    def _rows(self):
+        rows = QtGui.QFormLayout()
+        self.size = QtGui.QDoubleSpinBox()
+        self.size.setRange(0.0, 1e4)
+        self.size.setSuffix(" mm")
+        self.size.setSpecialValueText(translate("whole texture"))
+        self.size.setValue(round(20.0 * self.plan.input.spacing, 2))
+        self.size.setObjectName("WindowSize")
+        self.machine = MachineBox((translate("as planned"), None), translate("as {} would run it").format)
+        self.runout = QtGui.QDoubleSpinBox()
+        self.runout.setSuffix(" µm")
+        self.runout.setToolTip(translate("How far the first flute stands out"))
+        rows.addRow(translate("Window"), self.size)
+        rows.addRow(translate("Motion"), self.machine)
+        rows.addRow(translate("Runout"), self.runout)
+        for editor in (self.size, self.machine, self.runout):
+            let_shrink(editor)
+        return rows
+
+    def window(self):
+        """((x, y) least, (x, y) greatest) around the milled dimple nearest to the middle; None for all."""
+        size = self.size.value()
+        if size == 0.0:
+            return None
+        places = self.plan.places()[self.plan.dimples.states == 0]
+        middle = 0.5 * (places.min(axis=0) + places.max(axis=0))
+        centre = places[((places - middle) ** 2).sum(axis=1).argmin()]
+        return tuple(centre - 0.5 * size), tuple(centre + 0.5 * size)
+
+    def simulate(self):
+        """Starts, or stops what is running."""
+        if self.work.busy:
+            self.work.cancel()
+            self._idle()
+            return
+        window, machine = self.window(), self.machine.currentData()
+        runout = [1e-3 * self.runout.value()] + [0.0] * (self.plan.input.tool.flutes - 1)
+        plan = self.plan
+
+        def run(progress):
+            result = patchmill.simulate(
+                plan, machine=machine, window=window, runout=runout, progress=progress
+            )
+            return result and (result, relief_of(result))
+
+        self.button.setText(translate("Cancel"))
+        self.text.clear()
+        self.bar.begin()
+        self.work.start(run)
+
+    def _idle(self):
+        self.button.setText(translate("Simulate"))
+        self.bar.hide()
+
+    def show_error(self, error):
+        self._idle()
+        super().show_error(error)
+        if not isinstance(error, InputError):
+            raise error
+
+    def show_result(self, made):
+        self._idle()
+        if made is None:
+            return
+        self.result, (displays, low, high) = made
+        self.scene.show(displays)
+        self.operation.ViewObject.Show = RELIEF
+        self.legend.show(translate("height over the faces [µm]"), low, high)
+        cells = "".join(
+            "<tr><td>%s </td><td><b>%s</b></td></tr>" % row for row in self.result.rows()
+        )
+        self.text.setText("<table>%s</table>" % cells)
+
+    def leave(self):
+        super().leave()
+        self.legend.hide()

@@ -1,0 +1,254 @@
+"""Task panel of the texture operations: FreeCAD's pages for base geometry and heights, and a page of ours
+with a picture of the quantities, a form of the properties and a live preview.
+
+Nothing is computed in the GUI thread. While values change, the dimples are placed in the background and
+shown; when they stay, the whole texture is planned there, so that OK finds it ready.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import _patchmill as core
+import FreeCAD
+from _patchmill import InputError
+from patchmill.operations.texture_operation import prepare
+from patchmill.texture.plan import place_texture
+from PySide import QtCore, QtGui
+
+from patchmill_gui.forms.advisor_box import AdvisorBox
+from patchmill_gui.forms.idle_properties import idle_properties
+from patchmill_gui.forms.resources import path
+from patchmill_gui.forms.texture_summary import placed_summary, planned_summary
+from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, translate
+from patchmill_gui.panels.operation_base import OperationPage, OperationPanel
+from patchmill_gui.views.texture_scene import dimple_displays, line_displays
+from patchmill_gui.work.background import Background
+
+PICTURE_WIDTH = 220  # as narrow as FreeCAD's panel at first
+PLACE_AFTER_MS, PLAN_AFTER_MS = 10, 400
+PREVIEWS = (("dimples", "Dimples"), ("outlines", "Patches"), ("order", "Order"), ("axes", "Tool axes"))
+
+
+class TexturePage(OperationPage):
+    """The operation's own page."""
+
+    __module__ = "patchmill_gui.texture_panel"  # what documents save
+
+    def getForm(self):
+        form, layout = self.begin_form(
+            self.obj.Proxy.properties(), closed=("Limits", "Mask", "Phase", "Tool axis", "Checks")
+        )
+        picture = QtGui.QLabel()
+        picture.setPixmap(QtGui.QIcon(path("icons", "quantities.svg")).pixmap(PICTURE_WIDTH, PICTURE_WIDTH))
+        picture.setMinimumWidth(1)
+        picture.setAlignment(QtCore.Qt.AlignCenter)
+        layout.insertWidget(0, picture)
+        layout.addWidget(self._preview_box())
+        for box in self.properties.groups.values():
+            layout.addWidget(box)
+        self.advice = AdvisorBox(self.obj, self._advised) if hasattr(self.obj, "Form") else None
+        if self.advice is not None:
+            layout.insertWidget(layout.count() - len(self.properties.groups), self.advice)
+        layout.addStretch()
+        return form
+
+    def _advised(self):
+        """A proposal was taken over into the properties."""
+        self.properties.show()
+        self.properties.changed.emit()
+
+    def _preview_box(self):
+        box = QtGui.QGroupBox(translate("Preview"))
+        layout = QtGui.QVBoxLayout(box)
+        grid = QtGui.QGridLayout()
+        self.previews = {}
+        for place, (part, text) in enumerate(PREVIEWS):
+            check = QtGui.QCheckBox(translate(text))
+            check.setObjectName("Preview" + part.capitalize())
+            check.setChecked(part in ("dimples", "outlines"))
+            grid.addWidget(check, place // 2, place % 2)
+            self.previews[part] = check
+        layout.addLayout(grid)
+        self.summary = QtGui.QLabel()
+        self.summary.setWordWrap(True)
+        self.summary.setTextFormat(QtCore.Qt.RichText)
+        layout.addWidget(self.summary)
+        self.message = QtGui.QLabel()
+        self.message.setWordWrap(True)
+        self.message.setStyleSheet("color: " + ERROR_COLOUR)
+        layout.addWidget(self.message)
+        self.progress = ProgressBar()
+        layout.addWidget(self.progress)
+        return box
+
+    def getFields(self, obj):
+        super().getFields(obj)
+        self._show_rows()
+
+    def setFields(self, obj):
+        super().setFields(obj)
+        self._show_rows()
+
+    def _show_rows(self):
+        """Only the properties that mean something with the others as they are."""
+        self.properties.show_only(set(self.properties.rows) - idle_properties(self.obj))
+        if self.advice is not None:
+            self.advice.setVisible(self.obj.Form == "Free")
+
+    def show_error(self, error):
+        """The sentence of an InputError at its field; elsewhere, or of another property, in the box."""
+        at_field = self.properties.show_error(error)
+        self.message.setText("" if error is None or at_field else str(error))
+
+
+class TexturePanel(OperationPanel):
+    """FreeCAD's panel, with preview, and with an OK that waits for the plan without blocking."""
+
+    def __init__(self, obj, delete_on_reject, page, selection):
+        super().__init__(obj, delete_on_reject, page, selection)
+        self.page = page
+        self.view = obj.ViewObject.Proxy
+        self.scene = self.view.scene
+        self.placing, self.drawing, self.planning = Background(brief=True), Background(), Background()
+        self.error = None  # the InputError that is shown, for whoever asks
+        self.placing.finished.connect(self._placed)
+        self.placing.failed.connect(self._failed)
+        self.drawing.finished.connect(self.scene.show)
+        self.planning.finished.connect(self._planned)
+        self.planning.failed.connect(self._failed)
+        self.planning.progressed.connect(page.progress.show_share)
+        self.ready = None
+        self.accepting = False
+        self.place_timer, self.plan_timer = _timer(self._place), _timer(self._plan)
+
+    def setupUi(self):
+        super().setupUi()
+        for part, check in self.page.previews.items():
+            check.toggled.connect(lambda on, name=part: self.scene.switch(name, on))
+            self.scene.switch(part, check.isChecked())
+        self.view.editing = True
+        self.view.update(self.obj.ViewObject)
+        self.preview()
+
+    def pageDirtyChanged(self, page):
+        super().pageDirtyChanged(page)
+        if page is not None and page.isdirty and hasattr(self, "place_timer"):
+            self.preview()
+
+    def preview(self):
+        """Shows the texture as the properties are now, soon; Apply needs no more, for OK takes the plan that
+        is made for the preview."""
+        self.planning.cancel()
+        self.page.progress.setVisible(False)
+        self.place_timer.start(PLACE_AFTER_MS)
+        self.plan_timer.start(PLAN_AFTER_MS)
+
+    def _input(self):
+        """TextureInput of the operation, or None with the reason shown."""
+        try:
+            self.obj.Proxy.refresh_heights(self.obj)
+            return self.obj.Proxy.texture_input(self.obj)
+        except InputError as error:
+            self._failed(error)
+            return None
+
+    def _place(self):
+        given = self._input()
+        if given is not None:
+            self.placing.start(lambda progress: _placed_and_drawn(given, progress))
+
+    def _placed(self, result):
+        if result is None:
+            return
+        placed, displays, summary = result
+        self.error = None
+        self.page.show_error(None)
+        self.scene.show(displays)
+        self.drawing.start(lambda progress: line_displays(placed))
+        self.page.summary.setText(summary)
+
+    def _plan(self):
+        given = self._input()
+        if given is None:
+            self.accepting = False
+            return
+        if self.ready is not None and self.ready.planned.input == given:
+            self._planned(self.ready)
+        else:
+            self.planning.start(lambda progress: _prepared_and_drawn(given, progress))
+
+    def _planned(self, ready):
+        self.page.progress.setVisible(False)
+        if ready is None:
+            return
+        self.ready = ready
+        self.scene.show({"axes": ready.axes})
+        self.page.summary.setText(ready.summary)
+        if self.accepting:
+            QtCore.QTimer.singleShot(0, self._finish)
+
+    def _failed(self, error):
+        self.accepting = False
+        self.page.progress.setVisible(False)
+        if not isinstance(error, InputError):
+            FreeCAD.Console.PrintError("PatchMill: %r\n" % error)
+        self.error = error
+        self.page.show_error(error)
+
+    def ready_now(self):
+        """Whether everything is planned for the properties as they are."""
+        return not (self.place_timer.isActive() or self.plan_timer.isActive() or self.busy())
+
+    def busy(self):
+        return self.placing.busy or self.drawing.busy or self.planning.busy
+
+    def accept(self, resetEdit=True):
+        """OK: closes the panel as soon as the plan is ready; at once if it is."""
+        self.panelGetFields()
+        self.place_timer.stop()
+        self.plan_timer.stop()
+        self.accepting = True
+        self._plan()
+        return False  # _finish closes the dialog
+
+    def _finish(self):
+        self._stop()
+        self.close_with(self.ready)
+
+    def reject(self, resetEdit=True):
+        """Cancel: of the planning that OK waits for, if it does; else of the panel, with all that was made
+        since the command or the edit began."""
+        if self.accepting and self.planning.busy:
+            self.accepting = False
+            self.planning.cancel()
+            self.page.progress.setVisible(False)
+            return False
+        self._stop()
+        return super().reject(resetEdit)
+
+    def _stop(self):
+        for timer in (self.place_timer, self.plan_timer):
+            timer.stop()
+        for work in (self.placing, self.drawing, self.planning):
+            work.cancel()
+        self.view.editing = False
+        self.scene.clear()
+
+
+def _placed_and_drawn(given, progress):
+    placed = place_texture(given, progress)
+    return placed and (placed, dimple_displays(placed), placed_summary(placed))
+
+
+def _prepared_and_drawn(given, progress):
+    ready = prepare(given, progress)
+    if ready is not None:
+        ready.summary = planned_summary(ready.planned)
+        ready.axes = core.path_axis_display(ready.planned.path, 2.0 * given.tool.radius)
+    return ready
+
+
+def _timer(call):
+    timer = QtCore.QTimer()
+    timer.setSingleShot(True)
+    timer.timeout.connect(call)
+    return timer

@@ -1,0 +1,171 @@
+"""What PatchMill's operations have in common as FreeCAD operations: a ball end mill, properties from a table,
+an error that is kept for whoever asks, and no old path after a failure.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from _patchmill import InputError
+
+from patchmill.freecad import hooks, host, made_from, tool_controller
+from patchmill.properties import property_table
+
+
+class BallEndOperation(host.PathOp.ObjectOp):
+    """An operation's proxy. `error`: the InputError of the last execute, else None; not saved. A subclass
+    gives its tables (see property_table) and `opExecute`, and names in RESULT its attribute that a failed
+    execute leaves None."""
+
+    RESULT = ""
+    error = None
+
+    @classmethod
+    def properties(cls):
+        """The table of the properties that a user sets."""
+        raise NotImplementedError
+
+    @classmethod
+    def results(cls):
+        """The table of those that show what was computed."""
+        raise NotImplementedError
+
+    def opFeatures(self, obj):
+        op = host.PathOp
+        return op.FeatureTool | op.FeatureHeights | op.FeatureBaseFaces | op.FeatureCoolant
+
+    def isToolSupported(self, obj, tool):
+        return host.takes_ball_end(obj, tool)
+
+    def initOperation(self, obj):
+        property_table.add(obj, self.properties(), self.results())
+        made_from.add(obj)
+
+    def opOnDocumentRestored(self, obj):
+        property_table.add(obj, self.properties(), self.results())  # documents of older versions
+        made_from.add(obj)
+        hooks.announce_restored(obj)
+
+    def opSetDefaultValues(self, obj, job):
+        property_table.set_defaults(obj, self.properties())
+
+    def execute(self, obj):
+        """As ObjectOp.execute, but an operation that fails leaves no old path to be posted, neither its own
+        nor that of a dressup on it, which FreeCAD does not recompute then."""
+        self.forget()
+        obj.Path = host.Path.Path()
+        try:
+            if obj.Active:
+                made_from.job_of(obj)
+                tool_controller.require_tool(obj.ToolController)
+            return super().execute(obj)
+        except InputError as error:
+            self.error = error
+            forget_dressups(obj)
+            raise
+
+    def refresh_heights(self, obj):
+        """The heights as a recompute would leave them: before the first one FreeCAD's expressions for them
+        have not been evaluated, and would refer to a stock at zero."""
+        self.updateDepths(obj, ignoreErrors=True)
+        for name, expression in obj.ExpressionEngine:
+            if name in ("SafeHeight", "ClearanceHeight"):
+                setattr(obj, name, obj.evalExpression(expression))
+
+    def sanitizeBase(self, obj):
+        """Called by ObjectOp.execute, whose own would clear Base if one of its faces is gone, and go on: an
+        operation that then takes all of the part would mill what nobody chose."""
+        for base, names in obj.Base:
+            for name in names:
+                if name and not _has(base.Shape, name):
+                    remedy = "it is gone: choose the faces again."
+                    raise InputError("Base", "%s of %s" % (name, base.Label), remedy)
+        return False
+
+    def forget(self):
+        """As if it had never been executed."""
+        self.error = None
+        setattr(self, self.RESULT, None)
+
+
+def _has(shape, name):
+    try:
+        shape.getElement(name)
+    except Exception:  # FreeCAD's versions raise errors of different kinds
+        return False
+    return True
+
+
+def forget_dressups(obj):
+    """Takes the paths of our dressups on `obj`, directly or over others, away: what they were made of is
+    gone."""
+    for other in obj.InListRecursive:
+        if hasattr(getattr(other, "Proxy", None), "forget_path"):
+            other.Proxy.forget_path(other)
+
+
+def create(proxy_class, name, obj, parentJob):
+    """A new operation in the document of `parentJob`, the Job it goes into; without one in the active
+    document's job."""
+    with host.active_document(parentJob and parentJob.Document) as document:
+        if obj is None:
+            obj = document.addObject("Path::FeaturePython", name)
+        obj.Proxy = proxy_class(obj, name, parentJob)
+        if hasattr(obj, "InList"):  # else it is the prototype of a setup sheet
+            made_from.follow(obj, host.PathUtils.findParentJob(obj))
+        return hooks.announce(obj)
+
+
+def setup_properties(proxy_class):
+    """Names of the properties that a job's setup sheet may hold defaults for."""
+    return property_table.setup_names(proxy_class.properties())
+
+
+def recompute(obj):
+    """Recomputes one operation or dressup and returns what it made: a PlannedTexture, copy milling's
+    ToolPath, or a dcm.Result. Raises InputError with the reason if there is nothing; FreeCAD itself would
+    only mark the object."""
+    if not hasattr(getattr(obj, "Proxy", None), "forget"):
+        label = getattr(obj, "Label", repr(obj))
+        raise InputError("Operation", label, "give an operation of PatchMill.")
+    obj.Proxy.forget()
+    obj.touch()
+    obj.Document.recompute()
+    return made(obj)
+
+
+def made(obj):
+    """What the last execute of an operation made. Raises InputError with the reason if there is nothing."""
+    if obj.Proxy.error is not None:
+        raise obj.Proxy.error
+    result = getattr(obj.Proxy, obj.Proxy.RESULT)
+    if result is None:
+        raise not_computed(obj)
+    return result
+
+
+def not_computed(obj):
+    """The InputError for an operation or dressup that has no result, though it has no error of its own."""
+    if not host.is_active(obj):
+        operation = obj
+        while not hasattr(operation, "Active"):  # a dressup is as active as what is under it
+            operation = operation.Base
+        return InputError("Active", "false", "%s is switched off: switch it on." % operation.Label)
+    for name in obj.PropertiesList:
+        other = getattr(obj, name)
+        error = getattr(getattr(other, "Proxy", None), "error", None)
+        if error is not None and name == "Base":
+            return error
+        if "Invalid" in _state_of(other):
+            remedy = "it has an error, so that nothing after it is computed: mend it."
+            return InputError(name, other.Label, remedy)
+        if name == "Base" and "Touched" in _state_of(other):  # because of what is before it
+            return not_computed(other)
+    if "Invalid" in obj.State:
+        return InputError(obj.Label, "not computed", "it failed in a way that FreeCAD's report view tells.")
+    return InputError(
+        obj.Label, "not computed", "FreeCAD refused it: check its job, base faces and tool."
+    )
+
+
+def _state_of(value):
+    """What FreeCAD says of a linked object; nothing for other values."""
+    return value.State if hasattr(value, "TypeId") and hasattr(value, "State") else []

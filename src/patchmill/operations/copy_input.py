@@ -1,0 +1,122 @@
+"""What copy milling needs of a document, checked: tool, feeds, depths and shapes.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import math
+from dataclasses import dataclass
+
+import _patchmill as core
+from _patchmill import InputError
+
+from patchmill.freecad import made_from, tool_controller
+from patchmill.voxels import removal_model
+
+UNDERCUTS = "Scanning with undercuts"
+MODES = ["Scanning", "Contour", UNDERCUTS]
+PASSES = ["Roughing and finishing", "Roughing", "Finishing"]
+
+
+@dataclass
+class CopyInput:
+    """What copy milling needs of a document, so that it can run in any thread. mm, s; BREP texts."""
+
+    mode: str
+    passes: str
+    radial: float
+    axial: float
+    finishing_radial: float
+    allowance: float
+    tolerance: float
+    safe_height: float
+    feed: float
+    plunge_feed: float  # greatest velocity downwards
+    cutting_edge: float  # length of the tool's edges; infinite if its bit does not say
+    tool: core.BallEndMill
+    spindle: core.Spindle
+    stock: str
+    model: str
+    faces: str  # '' for the whole model
+    face_count: int = 0
+
+    @property
+    def chosen(self):
+        """How many faces, in words."""
+        return "1 face" if self.face_count == 1 else "%d faces" % self.face_count
+
+    @property
+    def last_radial(self):
+        """Distance of the lines of the last pass."""
+        own = self.finishing_radial
+        return own if own > 0.0 and self.passes != "Roughing" else self.radial
+
+
+def input_of(obj):
+    """CopyInput of a CopyMilling object. Raises InputError naming the property."""
+    tool, *cutting = _cutting(obj.ToolController)
+    _check(obj, tool)
+    job = made_from.job_of(obj)
+    faces = _faces(obj)
+    return CopyInput(
+        obj.Mode,
+        obj.Passes,
+        obj.RadialDepth.Value,
+        obj.AxialDepth.Value,
+        obj.FinishingRadialDepth.Value,
+        obj.Allowance.Value,
+        obj.Tolerance.Value,
+        obj.SafeHeight.Value,
+        *cutting,
+        tool,
+        _spindle(obj.ToolController),
+        *removal_model.job_shapes(job),
+        _compound(faces) if faces else "",
+        len(faces),
+    )
+
+
+def _faces(obj):
+    """The faces in Base. Raises InputError if there is anything else."""
+    chosen = [(base, name) for base, names in obj.Base for name in names if name]
+    return [made_from.face_of(base, name, "choose faces, or nothing.") for base, name in chosen]
+
+
+def _compound(faces):
+    import Part
+
+    return Part.makeCompound(faces).exportBrepToString()
+
+
+def _cutting(controller):
+    tool_controller.require_ball_end(controller, "copy milling takes a ball end mill: choose one.")
+    for name in ("HorizFeed", "VertFeed"):
+        feed = getattr(controller, name).Value
+        if not (math.isfinite(feed) and feed > 0.0):
+            raise InputError(
+                name, "%g mm/min" % (60.0 * feed), "give %s more than zero." % controller.Label
+            )
+    tool = core.BallEndMill(float(controller.Tool.Diameter) / 2.0, tool_controller.flutes(controller.Tool))
+    edge = float(getattr(controller.Tool, "CuttingEdgeHeight", 0.0) or 0.0)
+    return tool, controller.HorizFeed.Value, controller.VertFeed.Value, edge if edge > 0.0 else math.inf
+
+
+def _spindle(controller):
+    speed = controller.SpindleSpeed
+    if not (math.isfinite(speed) and speed > 0.0):
+        raise InputError("SpindleSpeed", "%g rpm" % speed, "give %s more than zero." % controller.Label)
+    return core.Spindle(speed / 60.0, tool_controller.sense(controller))
+
+
+def _check(obj, tool):
+    for name in ("RadialDepth", "AxialDepth"):
+        value = getattr(obj, name).Value
+        if not value > 0.0:
+            raise InputError(name, "%g mm" % value, "give more than zero.")
+    axial, allowance = obj.AxialDepth.Value, obj.Allowance.Value
+    if obj.Passes == PASSES[0] and not allowance <= axial:
+        remedy = "give no more than AxialDepth, %g mm: the last pass takes it all at once." % axial
+        raise InputError("Allowance", "%g mm" % allowance, remedy)
+    if not 1e-4 <= obj.Tolerance.Value <= tool.radius:
+        raise InputError(
+            "Tolerance", "%g mm" % obj.Tolerance.Value, "give 0.0001 to %g mm." % tool.radius
+        )

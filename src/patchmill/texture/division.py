@@ -1,0 +1,126 @@
+"""From faces to the texture plane, its sampler, the sizes of the texture and its patches.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from math import radians
+
+import _patchmill as core
+import numpy as np
+from _patchmill import InputError
+
+from patchmill.texture import masks
+
+
+def _plane(given, origin):
+    direction = given.direction
+    if given.auto_direction:
+        direction = tuple(-core.facing(given.breps))
+    along_x = abs(direction[0]) > 0.9 * sum(c * c for c in direction) ** 0.5
+    hint = (0.0, 1.0, 0.0) if along_x else (1.0, 0.0, 0.0)
+    return core.texture_plane(origin, direction, hint, radians(given.rotation))
+
+
+def sampler_on(given):
+    """The texture plane, with its origin as given or in the middle of the faces; the sampler on it; and
+    the rectangle that the faces cover there, as its least and greatest corner."""
+    steepest = radians(given.steepest_slope)
+    plane = _plane(given, given.origin or (0.0, 0.0, 0.0))
+    sampler = core.FaceSampler(given.breps, plane, steepest)
+    low, high = sampler.extent()
+    if given.origin is None:
+        middle = 0.5 * (low + high)
+        origin = plane.origin + middle[0] * plane.x_axis + middle[1] * plane.y_axis
+        plane = _plane(given, origin)
+        sampler = core.FaceSampler(given.breps, plane, steepest)
+        low, high = low - middle, high - middle
+    return plane, sampler, low, high
+
+
+def texture_size(given):
+    """All sizes of the texture. Raises InputError naming the one that is missing or at odds."""
+    return core.texture_size(
+        given.texture_kind,
+        given.patch_shape,
+        given.tool.radius,
+        spacing=given.spacing or None,
+        depth=given.depth or None,
+        diameter=given.dimple_diameter or None,
+        area_share=given.area_share or None,
+        ridge_height=given.ridge_height or None,
+    )
+
+
+def require_apart(given):
+    """Isolated dimples must not touch at the greatest depth that a mask gives them either."""
+    mask = given.mask
+    if given.texture_kind != "Isolated" or mask.use != masks.DEPTH:
+        return
+    deepest = max(mask.depth_at_black, mask.depth_at_white)
+    shape, radius = given.patch_shape, given.tool.radius
+    if deepest > 0.0:
+        core.texture_size("Isolated", shape, radius, spacing=given.spacing, depth=deepest)
+
+
+def _require_room(given, pattern, low, high):
+    outline = core.patch_block(pattern, 1, 1).outlines()[0]
+    size, room = outline.max(axis=0) - outline.min(axis=0), high - low
+    if (size > room).any():
+        raise InputError(
+            "PatchSide",
+            given.patch_side,
+            "a patch of %.3f x %.3f mm is larger than the faces (%.3f x %.3f mm seen along the "
+            "projection direction): choose a smaller side." % (*size, *room),
+        )
+
+
+def divide(given, plane, sampler, low, high, progress):
+    """The patches, and the lattice laid on the surface or None; None if `progress` returned False."""
+    pattern = core.PatchPattern(
+        given.patch_shape, given.spacing, given.patch_side, given.helix_order, given.helix_start
+    )
+    covering = given.patches_x == 0 and given.patches_y == 0
+    if given.mapping not in ("Projected", "On surface"):
+        raise InputError("Mapping", given.mapping, "give Projected or On surface.")
+    if given.mapping == "Projected":
+        _require_room(given, pattern, low, high)
+        if covering:
+            return core.cover(pattern, low, high), None
+        return core.patch_block(pattern, given.patches_x, given.patches_y), None
+    return divide_on_surface(given, pattern, plane, sampler, low, high, progress)
+
+
+def divide_on_surface(given, pattern, plane, sampler, low, high, progress):
+    """As divide(), on a lattice laid on the surface."""
+    start = lattice_start(given, sampler, low, high)
+    block = None
+    if given.patches_x or given.patches_y:
+        block = core.patch_block(pattern, given.patches_x, given.patches_y)
+        outlines = np.concatenate(block.outlines())  # flat: on slopes it takes less of the plane
+        slack = 2.0 * pattern.spacing
+        low = np.maximum(low, start + outlines.min(axis=0) - slack)
+        high = np.minimum(high, start + outlines.max(axis=0) + slack)
+    lattice = core.lay_lattice(pattern, sampler, plane, start, low, high, progress)
+    if lattice is None:
+        return None
+    if block is None:
+        return core.cover_lattice(pattern, lattice, low, high), lattice
+    return block, lattice.counted_from(block.anchor, pattern)
+
+
+def lattice_start(given, sampler, low, high):
+    """Where a lattice laid on the surface begins: the texture's origin, or, if that is automatic and off
+    the faces, the nearest place on them."""
+    origin = np.zeros(2)
+    if given.origin is None:
+        try:
+            return core.nearest_start(origin, low, high, sampler)
+        except InputError as error:
+            raise InputError("Direction", "%g, %g, %g" % given.direction, error.remedy) from None
+    if sampler.sample(origin[None])["states"][0] != 0:
+        raise InputError(
+            "Origin",
+            "(%g, %g, %g) mm" % tuple(given.origin),
+            "a texture on the surface begins there, and no face can be cut there: move it.",
+        )
+    return origin

@@ -1,0 +1,252 @@
+"""From faces to ToolPath, without a document: the pipeline of one texture.
+
+    faces -> SurfacePoint -> Dimple -> ToolPath
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from dataclasses import dataclass, field, replace
+from math import degrees, radians
+
+import _patchmill as core
+import numpy as np
+from _patchmill import InputError
+
+from patchmill.machine import machines
+from patchmill.texture import free_form, masks, strategies, tool_posture
+from patchmill.texture.division import divide, require_apart, sampler_on, texture_size
+from patchmill.texture.input import TextureInput
+
+__all__ = ["PlacedTexture", "PlannedTexture", "TextureInput", "place_texture", "plan_texture"]
+
+VERTICAL = (0.0, 0.0, 1.0)
+
+
+@dataclass
+class PlacedTexture:
+    """Dimples on the faces, before any timing: what a preview shows. `size` is a dict of all sizes (see
+    _patchmill.texture_size); `lattice` a _patchmill.SurfaceLattice, or None if projected."""
+
+    input: TextureInput
+    plane: core.TexturePlane
+    division: core.PatchDivision
+    dimples: core.Dimples
+    size: dict
+    lattice: core.SurfaceLattice = None
+    extent: tuple = None  # least and greatest corner of what the faces cover of the plane [mm]
+    asked: TextureInput = None  # as it was given; `input` has its sizes completed
+    free: core.FreeTexture = None  # of Matsuda's free form; then `division` are the patches' stands
+
+    def places(self):
+        """Texture-plane coordinates [mm] of each lattice point, (n, 2)."""
+        if self.free is not None:
+            return self._on_plane(self.dimples.positions)
+        if self.lattice is None:
+            return self.division.places(self.dimples)
+        return self.lattice.places(self.dimples.lattice[:, :2])
+
+    def outlines(self, pieces=1):
+        """Each patch's outline in the texture plane [mm], a list of (k, 2), each side cut into `pieces`
+        (of 8 at least on a lattice laid on the surface); NaN where the lattice or the faces end."""
+        if self.free is not None:
+            return [_cut(self._on_plane(o), pieces) for o in self.free.outlines()]
+        if self.lattice is None:
+            return [_cut(o, pieces) for o in self.division.outlines()]
+        corners = self.division.lattice_outlines()
+        return [self.lattice.places(_cut(c, max(8, pieces))) for c in corners]
+
+    def _on_plane(self, points):
+        from_origin = np.asarray(points) - self.plane.origin
+        return np.column_stack([from_origin @ self.plane.x_axis, from_origin @ self.plane.y_axis])
+
+    def spread(self):
+        """Distances of neighbouring dimples as measured: see _patchmill.spacing_spread. None in the free
+        form, whose marks are on no lattice."""
+        if self.free is not None:
+            return None
+        return core.spacing_spread(self.dimples, self.division.pattern)
+
+    def rubbing(self):
+        """How many milled dimples are so near to the tool's tip that it rubs in them."""
+        tilts = core.tilts(self.dimples, VERTICAL)[self.dimples.states == 0]
+        return int((tilts < self.size["least_tilt"]).sum())
+
+
+def _cut(corners, pieces):
+    """The closed polygon through (n, 2) corners with each side in so many pieces."""
+    share = np.arange(pieces)[:, None] / pieces
+    sides = [a + share * (b - a) for a, b in zip(corners, np.roll(corners, -1, axis=0))]
+    return np.concatenate(sides)
+
+
+@dataclass
+class PlannedTexture(PlacedTexture):
+    """A texture with its path and everything a report needs."""
+
+    rule: core.PhaseRule = None
+    pacing: strategies.Pacing = None
+    machine: machines.Machine = None
+    counts: dict = field(default_factory=dict)
+
+    @property
+    def path(self):
+        return self.pacing.path
+
+    @property
+    def posture(self):
+        """The tool_posture.Posture, or None for a tool that stands upright."""
+        return self.pacing.posture
+
+    @property
+    def feed(self):
+        """As posted [mm/s]."""
+        return self.pacing.feed
+
+    def phase_errors(self, path=None):
+        """Phase errors [rad] of `path` (the planned one if None) if the machine does as it is told."""
+        return core.phase_errors(path or self.path, self.dimples, self.rule)
+
+    def predicted_errors(self):
+        """Phase errors [rad] that the machine's motion model predicts, or None without a machine."""
+        if self.machine is None:
+            return None
+        return core.predicted_phase(self.path, self.machine.model, self.dimples, self.rule)
+
+
+def place_texture(given, progress=None):
+    """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
+
+    Raises InputError naming the property that is wrong."""
+    place = free_form.place if given.form == "Free" else _place_lattice
+    placed = place(given, progress)
+    if placed is None:
+        return None
+    placed = PlacedTexture(asked=given, **placed)
+    core.keep_off_borders(placed.dimples, given.breps, given.margin)
+    if given.mask:
+        _apply_mask(placed)
+    if not tool_posture.field_ready(given, _share(progress, 0.0, 0.0)):
+        return None
+    _keep_off_tip(placed)
+    core.drop_slivers(placed.dimples, given.minimum_dimples)
+    return placed
+
+
+def _place_lattice(given, progress):
+    """The fields of a PlacedTexture whose dimples are on a lattice, as a dict."""
+    size = texture_size(given)  # before the faces are looked at
+    given = replace(given, spacing=size["spacing"])
+    plane, sampler, low, high = sampler_on(given)
+    laying = given.mapping != "Projected"
+    divided = divide(given, plane, sampler, low, high, _share(progress, 0.0, 0.7))
+    if divided is None:
+        return None
+    division, lattice = divided
+    rest = _share(progress, 0.7 if laying else 0.0, 1.0)
+    dimples = sampler.place(division, plane, given.surface, lattice, rest)
+    if dimples is None:
+        return None
+    core.sink(dimples, size["sunk"])
+    return {
+        "input": given,
+        "plane": plane,
+        "division": division,
+        "dimples": dimples,
+        "size": size,
+        "lattice": lattice,
+        "extent": (low, high),
+    }
+
+
+def _share(progress, first, last):
+    """`progress` as seen by a stage that takes the work from one share to another, or None."""
+    return progress and (lambda share: progress(first + share * (last - first)))
+
+
+def _apply_mask(placed):
+    given = placed.input
+    if placed.free is not None:
+        raise InputError("MaskUse", given.mask.use, "masks need dimples on a lattice: choose None.")
+    require_apart(given)
+    mask = masks.make_mask(given.mask, placed.plane, *placed.extent)
+    masks.apply_mask(given.mask, mask, placed.dimples, placed.division, placed.lattice)
+
+
+def _keep_off_tip(placed):
+    """Leaves out what the tip of the ball would rub. Raises InputError naming AvoidRubbing if it would
+    rub in all of them."""
+    given, dimples = placed.input, placed.dimples
+    least = placed.size["least_tilt"]
+    if not tool_posture.is_vertical(given):
+        limit = max(radians(given.minimum_tilt), least if given.avoid_rubbing else 0.0)
+        core.mark_tool_tip_along(dimples, tool_posture.axes(given, dimples), limit)
+        return
+    core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
+    if not given.avoid_rubbing or least <= radians(given.minimum_tilt):
+        return
+    tilts = core.tilts(dimples, VERTICAL)[dimples.states == 0]
+    if len(tilts) and tilts.max() <= least:
+        raise InputError(
+            "AvoidRubbing",
+            "true",
+            "in dimples %.4g mm deep the tip of the ball would rub under a tilt of %.3f degrees, and "
+            "the faces have %.3f at most: incline the part or choose shallower dimples."
+            % (placed.size["depth"], degrees(least), degrees(tilts.max())),
+        )
+    core.mark_tool_tip(dimples, VERTICAL, least)
+
+
+# What helps if nothing is left to mill, by the reason that most dimples were left out for.
+_REMEDIES = {
+    "off the face": "choose other faces, or move the texture's origin",
+    "too steep": "raise SteepestSlope, or project from another Direction",
+    "tool tip": "incline the part, or lower MinimumTilt",
+    "undercut": "project from another Direction",
+    "near an edge": "lower Margin",
+    "sliver": "lower MinimumDimples, or choose smaller patches",
+    "masked": "change the mask",
+    "no facet": "project from another Direction, or choose smaller patches",
+    "off the net": "choose the projected mapping, or move the texture's origin",
+}
+
+
+def _require_some(counts):
+    if counts["cut"]:
+        return
+    reasons = sorted((n, name) for name, n in counts.items() if n)[::-1]
+    raise InputError(
+        "Dimples",
+        "0",
+        "every lattice point was left out (%s): %s."
+        % (", ".join("%s: %d" % (name, n) for n, name in reasons), _REMEDIES[reasons[0][1]]),
+    )
+
+
+def plan_texture(given, progress=None):
+    """PlannedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
+
+    Raises InputError naming the property that is wrong."""
+    placed = place_texture(given, progress)
+    if placed is None:
+        return None
+    given, dimples = placed.input, placed.dimples
+    counts = dict(dimples.counts())
+    _require_some(counts)
+    machine = machines.load(given.machine) if given.machine else None
+    if placed.free is not None:
+        rule = core.PhaseRule(False, 0.0, 0.0)
+        pacing = free_form.pacing(given, placed.free, dimples, rule, machine)
+    else:
+        rule = core.PhaseRule(given.same_flute, given.extra_turns, radians(given.phase_step))
+        posture = None
+        if not tool_posture.is_vertical(given):
+            posture = tool_posture.plan(given, dimples, machine)
+            rule = core.with_azimuths(rule, posture.postures)
+        pacing = strategies.make(given, dimples, rule, machine, posture=posture)
+    return PlannedTexture(
+        **vars(placed),
+        rule=rule,
+        pacing=pacing,
+        machine=machine,
+        counts=counts,
+    )
