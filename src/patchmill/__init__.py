@@ -29,15 +29,15 @@ _LAZY = {
     "live": ("patchmill.verify.live", None),
     "tilted_path": ("patchmill.path.tilted_path", None),
     "removal_model": ("patchmill.voxels.removal_model", None),
-    "advisor": ("patchmill.texture.advisor", None),
-    "advise": ("patchmill.texture.advisor", "advise"),
-    "mark_state": ("patchmill.texture.advisor", "mark_state"),
+    "advisor": ("patchmill.textures.advisor", None),
+    "advise": ("patchmill.textures.advisor", "advise"),
+    "mark_state": ("patchmill.textures.advisor", "mark_state"),
     "planned": ("patchmill.operations.texture_operation", "planned"),
     "recompute": ("patchmill.operations.texture_operation", "recompute"),
     "post": ("patchmill.posting", "post"),
     "simulate": ("patchmill.verify.simulation", "simulate"),
     "check": ("patchmill.verify.checks", "check"),
-    "write_report": ("patchmill.report", "write_report"),
+    "write_report": ("patchmill.reports.report", "write_report"),
 }
 
 

@@ -9,7 +9,7 @@ import time
 
 import _patchmill as core
 import numpy as np
-from patchmill.texture.outlines import outlines_on_faces
+from patchmill.textures.outlines import outlines_on_faces
 from pivy import coin
 from PySide import QtCore
 
