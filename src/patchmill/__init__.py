@@ -11,9 +11,13 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import importlib
 
-from _patchmill import InputError  # noqa: F401
+from patchmill._version import __version__  # noqa: F401
+from patchmill.install import core_loader
 
-from patchmill import old_names
+core_loader.load()  # or a stand-in that says why not
+from _patchmill import InputError  # noqa: E402,F401
+
+from patchmill import old_names  # noqa: E402
 
 old_names.FINDER.install()
 
