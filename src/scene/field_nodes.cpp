@@ -5,6 +5,7 @@
 #include "core/geometry/error.h"
 #include "scene/shapes.h"
 
+#include <Inventor/nodes/SoSeparator.h>
 #include <string>
 
 namespace patchmill::scene {
@@ -41,7 +42,7 @@ Display slice_display(const std::vector<Vec3>& centres, const std::vector<double
     triangles.corners.insert(triangles.corners.end(),
                              {first, first + 1, first + 2, -1, first, first + 2, first + 3, -1});
   }
-  return {triangle_node(triangles).file()};
+  return {[triangles] { return triangle_node(triangles); }};
 }
 
 Display arrow_display(const std::vector<Vec3>& places, const std::vector<Vec3>& vectors,
@@ -64,7 +65,7 @@ Display arrow_display(const std::vector<Vec3>& places, const std::vector<Vec3>& 
       lines.add(corner, colour);
     lines.close_from(head);
   }
-  return {line_node(lines, 1.5f).file()};
+  return {[lines] { return line_node(lines, 1.5f); }};
 }
 
 }  // namespace patchmill::scene

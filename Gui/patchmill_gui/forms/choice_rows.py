@@ -42,14 +42,20 @@ class MachineBox(QtGui.QComboBox):
         self.setCurrentIndex(self.findData(key))
 
     def refresh(self):
-        """Lists the files that there are now. What is chosen stays chosen, and nothing is told as changed."""
+        """Lists the files that there are now. What is chosen stays chosen, and nothing is told as changed.
+        Entries that stay are left in their places: a list that closes over a click holds on to one."""
         chosen = self.currentData()
         blocked = self.blockSignals(True)
-        self.clear()
-        self.addItem(*self.first)
-        for key in machines.names():
-            self.addItem(self.text_of(key), key)
-        self.choose(chosen)
+        wanted = [self.first[1]] + machines.names()
+        if chosen not in wanted:
+            wanted.append(chosen)
+        for row in reversed(range(self.count())):
+            if self.itemData(row) not in wanted:
+                self.removeItem(row)
+        for row, key in enumerate(wanted):
+            if row >= self.count() or self.itemData(row) != key:
+                self.insertItem(row, self.text_of(key), key)
+        self.setCurrentIndex(wanted.index(chosen))
         self.blockSignals(blocked)
 
     def showPopup(self):
@@ -57,7 +63,8 @@ class MachineBox(QtGui.QComboBox):
         super().showPopup()
 
     def focusInEvent(self, event):
-        self.refresh()
+        if event.reason() != QtCore.Qt.PopupFocusReason:  # it comes back from its own list
+            self.refresh()
         super().focusInEvent(event)
 
 

@@ -14,14 +14,14 @@ from patchmill.voxels import axis_field
 
 from patchmill_gui.forms.choice_rows import ChoiceRow, MachineRow, ObjectListRow, ObjectRow
 from patchmill_gui.forms.property_rows import (
-    QUANTITIES,
+    KIND_OF,
     FileRow,
     FlagRow,
     LinesRow,
-    NumberRow,
     QuantityRow,
     TextRow,
     VectorRow,
+    WholeRow,
 )
 from patchmill_gui.forms.widgets import ERROR_COLOUR, let_shrink
 
@@ -144,10 +144,10 @@ def row_for(kind, name, obj):
         return MachineRow(name, obj)
     if name == "PostureField":
         return ObjectRow(name, obj, axis_field.gives_field)
-    if kind in QUANTITIES:
-        return QuantityRow(name, obj)
+    if kind in KIND_OF:
+        return QuantityRow(name, obj, kind)
     if kind in ("App::PropertyInteger", "App::PropertyIntegerConstraint"):
-        return NumberRow(name, obj, True)
+        return WholeRow(name, obj)
     simple = {
         "App::PropertyEnumeration": ChoiceRow,
         "App::PropertyBool": FlagRow,
@@ -160,6 +160,4 @@ def row_for(kind, name, obj):
     }
     if kind in simple:
         return simple[kind](name, obj)
-    if kind == "App::PropertyFloat":
-        return NumberRow(name, obj, False)
     return TextRow(name, obj)

@@ -8,9 +8,16 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
-from patchmill_gui.forms.resources import native
+from patchmill_gui.fields.number_box import NumberBox
+from patchmill_gui.fields.quantity_entry import QuantityEntry
 
-QUANTITIES = {"App::Property" + kind for kind in ("Length", "Distance", "Angle", "Speed")}
+KIND_OF = {
+    "App::PropertyLength": "mm",
+    "App::PropertyDistance": "mm",
+    "App::PropertyAngle": "deg",
+    "App::PropertySpeed": "mm/s",
+    "App::PropertyFloat": "",
+}
 
 
 class Row:
@@ -37,30 +44,33 @@ def assign(obj, name, value):
 
 
 class QuantityRow(Row):
-    def __init__(self, name, obj):
+    def __init__(self, name, obj, type_name):
         editor = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        self.box = native("widgets").QuantitySpinBox(editor, obj, name)
-        self.shown = None
-        super().__init__(editor, editor.valueChanged)
+        self.entry = QuantityEntry(editor, KIND_OF[type_name], type_name == "App::PropertyLength")
+        editor.setProperty("binding", "%s.%s" % (obj.Name, name))
+        self.name = name
+        super().__init__(editor, self.entry.edited)
 
     def show(self, obj):
-        update = getattr(self.box, "updateSpinBox", None) or self.box.updateWidget
-        update()
-        self.shown = self.editor.property("text")
+        formula = dict(obj.ExpressionEngine).get(self.name)
+        self.entry.line.setReadOnly(formula is not None)
+        value = obj.evalExpression(formula) if formula else getattr(obj, self.name)
+        self.entry.show(float(getattr(value, "Value", value)))
 
     def store(self, obj):
-        """Only what was edited: the text is rounded, and would round the property."""
-        if self.editor.property("text") != self.shown:
-            self.box.updateProperty()
-            self.shown = self.editor.property("text")
+        """Only what was edited."""
+        self.entry.commit()
+        if self.entry.is_edited:
+            setattr(obj, self.name, self.entry.value)
+            self.entry.is_edited = False
 
 
-class NumberRow(Row):
-    def __init__(self, name, obj, whole):
-        editor = QtGui.QSpinBox() if whole else QtGui.QDoubleSpinBox()
-        editor.setRange(-(10**6) if not whole else 0, 10**6)
-        if not whole:
-            editor.setDecimals(4)
+class WholeRow(Row):
+    """A whole number."""
+
+    def __init__(self, name, obj):
+        editor = QtGui.QSpinBox()
+        editor.setRange(0, 10**6)
         editor.setKeyboardTracking(False)
         self.name = name
         super().__init__(editor, editor.valueChanged)
@@ -148,21 +158,28 @@ class VectorRow(Row):
         editor = QtGui.QWidget()
         layout = QtGui.QHBoxLayout(editor)
         layout.setContentsMargins(0, 0, 0, 0)
-        self.boxes = [QtGui.QDoubleSpinBox() for _ in range(3)]
+        self.boxes = [NumberBox() for _ in range(3)]
         self.name = name
         for box in self.boxes:
             box.setRange(-1e6, 1e6)
-            box.setDecimals(3)
-            box.setKeyboardTracking(False)
+            box.setDecimals(6)
             box.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
             layout.addWidget(box)
+        self.shown = None
         super().__init__(editor, [box.valueChanged for box in self.boxes])
+
+    def _values(self):
+        return [box.value() for box in self.boxes]
 
     def show(self, obj):
         for box, value in zip(self.boxes, getattr(obj, self.name)):
             box.setValue(value)
+        self.shown = self._values()
 
     def store(self, obj):
-        value = FreeCAD.Vector(*(box.value() for box in self.boxes))
-        if (getattr(obj, self.name) - value).Length > 1e-3:
-            setattr(obj, self.name, value)
+        """Only what was edited: the boxes' values are rounded."""
+        if self._values() != self.shown:
+            pairs = zip(self.boxes, self.shown, getattr(obj, self.name))
+            kept = (own if box.value() == shown else box.value() for box, shown, own in pairs)
+            setattr(obj, self.name, FreeCAD.Vector(*kept))
+            self.shown = self._values()

@@ -8,6 +8,7 @@ from _patchmill import InputError
 from patchmill.operations.texture_operation import planned
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.number_box import NumberBox
 from patchmill_gui.forms.choice_rows import MachineBox
 from patchmill_gui.forms.widgets import let_shrink, translate
 from patchmill_gui.panels.texture_view import RELIEF
@@ -47,14 +48,14 @@ class SimulatePanel(WorkPanel):
 
     def _rows(self):
         rows = QtGui.QFormLayout()
-        self.size = QtGui.QDoubleSpinBox()
+        self.size = NumberBox()
         self.size.setRange(0.0, 1e4)
         self.size.setSuffix(" mm")
         self.size.setSpecialValueText(translate("whole texture"))
         self.size.setValue(round(20.0 * self.plan.input.spacing, 2))
         self.size.setObjectName("WindowSize")
         self.machine = MachineBox((translate("as planned"), None), translate("as {} would run it").format)
-        self.runout = QtGui.QDoubleSpinBox()
+        self.runout = NumberBox()
         self.runout.setSuffix(" µm")
         self.runout.setToolTip(translate("How far the first flute stands out"))
         rows.addRow(translate("Window"), self.size)

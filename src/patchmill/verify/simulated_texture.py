@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import _patchmill as core
 
-from patchmill.textures.plan import PlannedTexture
+from patchmill.texture.plan import PlannedTexture
 
 
 @dataclass

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import _patchmill as core
 
-from patchmill.textures import masks, strategies
+from patchmill.texture import masks, strategies
 
 
 @dataclass

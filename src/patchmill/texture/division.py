@@ -9,7 +9,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.textures import masks
+from patchmill.texture import masks
 
 
 def _plane(given, origin):

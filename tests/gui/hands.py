@@ -1,0 +1,120 @@
+"""Mouse and keyboard of a user, by xdotool: the events come from the X server, as real ones do, so that
+focus, popups, grabs and the wheel behave as on a desk. Needs the `xdotool` program.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import subprocess
+
+import driver
+from PySide import QtCore, QtGui
+
+SETTLE = 0.05  # seconds that a hand takes between two actions
+
+
+def _xdotool(*arguments):
+    """Runs xdotool while the event loop goes on."""
+    process = subprocess.Popen(["xdotool", *map(str, arguments)])
+    assert driver.wait(lambda: process.poll() is not None, 20), "xdotool does not end"
+    assert process.returncode == 0, "xdotool %s" % (arguments,)
+    driver.rest(SETTLE)
+
+
+def point_at(widget, at=None):
+    """Moves the pointer over a widget: its middle, or the QPoint `at` in it. Rows come and go while a panel
+    fills: the pointer follows, as an eye does."""
+    for _ in range(10):
+        steady(widget)
+        place = widget.mapToGlobal(widget.rect().center() if at is None else at)
+        if (QtGui.QCursor.pos() - place).manhattanLength() <= 2:
+            return
+        assert QtGui.QApplication.widgetAt(place) is not None, "nothing is shown at %s" % place
+        scale = QtGui.QApplication.primaryScreen().devicePixelRatio()
+        _xdotool("mousemove", round(place.x() * scale), round(place.y() * scale))
+    raise AssertionError("%s does not come to rest" % widget)
+
+
+def steady(widget):
+    """Waits until a widget has stayed at its place for a while."""
+    for _ in range(50):
+        before = (widget.mapToGlobal(QtCore.QPoint(0, 0)), widget.size())
+        driver.rest(0.1)
+        if before == (widget.mapToGlobal(QtCore.QPoint(0, 0)), widget.size()):
+            return
+    raise AssertionError("%s does not come to rest" % widget)
+
+
+def click(widget, at=None, times=1):
+    """Clicks with the left button."""
+    point_at(widget, at)
+    _xdotool("click", "--repeat", times, "--delay", 80, 1)
+
+
+def wheel(widget, steps, at=None):
+    """Turns the wheel over a widget; towards the user if `steps` is positive."""
+    point_at(widget, at)
+    _xdotool("click", "--repeat", abs(steps), "--delay", 40, 5 if steps > 0 else 4)
+
+
+def press(*keys):
+    """Presses keys, one after the other, by X's names: Return, Tab, ctrl+a, Up."""
+    _xdotool("key", "--delay", 60, *keys)
+
+
+def write(text):
+    """Types text where the keyboard's focus is."""
+    _xdotool("type", "--delay", 40, text)
+
+
+def enter(field, text, end="Return"):
+    """As a user who clicks into a field, selects what is there, types and presses `end`, if that is a key."""
+    show(field)
+    click(field)
+    press("ctrl+a")
+    write(text)
+    if end:
+        press(end)
+
+
+def show(widget):
+    """Scrolls until a widget is seen."""
+    driver.rest(SETTLE)
+    area = widget.parentWidget()
+    while area is not None:
+        if isinstance(area, QtGui.QScrollArea):
+            area.ensureWidgetVisible(widget)
+            driver.rest(0.05)
+        area = area.parentWidget()
+    driver.rest(SETTLE)
+
+
+def choose(box, text):
+    """Opens a combo box by a click, and clicks on the entry that reads `text`."""
+    show(box)
+    click(box)
+    row = box.findText(text)
+    assert row >= 0, "no %r among %s" % (text, [box.itemText(i) for i in range(box.count())])
+    view = box.view()
+    assert driver.wait(view.isVisible, 5), "the list does not open"
+    driver.rest(0.3)  # a list that has just opened takes no click
+    index = view.model().index(box.findText(text), box.modelColumn())
+    view.scrollTo(index)
+    click(view.viewport(), view.visualRect(index).center())
+    assert driver.wait(lambda: not view.isVisible(), 5), "the list does not close"
+    driver.rest(SETTLE)
+
+
+def click_button(text, parent=None):
+    """Clicks the visible push button of that text below `parent`, of the whole application by default."""
+    found = parent.findChildren(QtGui.QPushButton) if parent else QtGui.QApplication.allWidgets()
+    for button in found:
+        if isinstance(button, QtGui.QPushButton) and button.isVisible():
+            if button.text().replace("&", "") == text:
+                show(button)
+                return click(button)
+    raise AssertionError("no button %r is shown" % text)
+
+
+def middle_left(widget, inset=8):
+    """A point near the left border of a widget."""
+    return QtCore.QPoint(inset, widget.height() // 2)
