@@ -1,5 +1,5 @@
-"""A machine is chosen from the open list by mouse and by keys, in the panel and in Simulate; files that come and go
-meanwhile are seen.
+"""A machine is chosen from the open list by mouse and by keys, in the panel and in Simulate; files that come
+and go meanwhile are seen.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -30,6 +30,7 @@ class MachineList(driver.BlockTest):
     def test_by_mouse(self):
         for name in ("table-table-ac", "linuxcnc-mill", "open-loop-mill"):
             hands.choose(self.box, name)
+            self.assertTrue(driver.ready(self.panel))
             self.assertEqual((self.box.currentText(), self.machine()), (name, name))
 
     def test_by_keys(self):
