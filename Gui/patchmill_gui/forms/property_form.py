@@ -23,7 +23,7 @@ from patchmill_gui.forms.property_rows import (
     VectorRow,
     WholeRow,
 )
-from patchmill_gui.forms.widgets import ERROR_COLOUR, let_shrink
+from patchmill_gui.forms.widgets import ERROR_COLOUR, guard_editors, let_shrink
 
 
 def label_of(name):
@@ -90,6 +90,7 @@ class PropertyForm(QtCore.QObject):
             widget.setToolTip(tip)
         row.editor.setObjectName(name)
         let_shrink(row.editor)
+        guard_editors(row.editor)
         row.label = label
         row.error = QtGui.QLabel()
         row.error.setWordWrap(True)

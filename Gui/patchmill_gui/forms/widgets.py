@@ -26,6 +26,31 @@ def let_shrink(editor):
             widget.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
 
 
+class _EditorGuard(QtCore.QObject):
+    """Lets the wheel scroll the panel, so that it never edits what the pointer passes, and lets Return end a
+    number, not the panel: FreeCAD would press OK."""
+
+    def eventFilter(self, editor, event):
+        if event.type() == QtCore.QEvent.Wheel:
+            event.ignore()  # then it goes to the widget around the editor
+            return True
+        if event.type() == QtCore.QEvent.KeyPress and isinstance(editor, QtGui.QAbstractSpinBox):
+            if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):
+                editor.interpretText()
+                editor.selectAll()
+                return True
+        return False
+
+
+def guard_editors(widget):
+    """The wheel edits nothing in `widget`, itself included, and Return in a number is no OK."""
+    kinds = (QtGui.QAbstractSpinBox, QtGui.QComboBox, QtGui.QAbstractSlider)
+    for each in [widget] + widget.findChildren(QtGui.QWidget):
+        if isinstance(each, kinds) and not isinstance(each, QtGui.QScrollBar):
+            if each.findChild(_EditorGuard) is None:
+                each.installEventFilter(_EditorGuard(each))
+
+
 def button_number(buttons):
     """Standard buttons as the number that a task panel gives FreeCAD: PySide6 has enumerations instead."""
     return int(getattr(buttons, "value", buttons))

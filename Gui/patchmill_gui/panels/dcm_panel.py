@@ -16,7 +16,7 @@ from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.property_rows import QuantityRow
 from patchmill_gui.forms.resources import icon
 from patchmill_gui.forms.texture_summary import duration, grouped
-from patchmill_gui.forms.widgets import button_number, let_shrink, translate, user_unit
+from patchmill_gui.forms.widgets import button_number, guard_editors, let_shrink, translate, user_unit
 from patchmill_gui.views.legend import LegendPlace
 from patchmill_gui.views.path_view import PathScene, settle_native_lines
 from patchmill_gui.work.computing import Computing, ComputingBox
@@ -80,6 +80,7 @@ class DcmPanel(Computing):
         self.arrows = QtGui.QCheckBox(translate("Posture as arrows"))
         for editor in (self.axis, self.what):
             let_shrink(editor)
+            guard_editors(editor)
             editor.currentIndexChanged.connect(lambda _: self.show_slice())
         self.place.valueChanged.connect(lambda _: self.show_slice())
         self.arrows.toggled.connect(lambda _: self.show_arrows())

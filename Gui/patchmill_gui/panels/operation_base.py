@@ -7,7 +7,7 @@ from PySide import QtGui
 
 from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.resources import native
-from patchmill_gui.forms.widgets import let_shrink, translate
+from patchmill_gui.forms.widgets import guard_editors, let_shrink, translate
 
 
 class OperationView(native("operation").ViewProvider):
@@ -47,6 +47,11 @@ class OperationView(native("operation").ViewProvider):
 class OperationPanel(native("operation").TaskPanel):
     """FreeCAD's panel; Apply previews, and OK closes it when the work behind it is done. A subclass gives
     `preview`, starts its work in `accept` and calls `close_with` at the end."""
+
+    def setupUi(self):
+        super().setupUi()
+        for page in self.featurePages:
+            guard_editors(page.form)  # also FreeCAD's own
 
     def preview(self):
         """Shows, when it is there, what the properties as they are would give."""

@@ -11,7 +11,7 @@ import numpy as np
 from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.texture_summary import grouped
-from patchmill_gui.forms.widgets import translate
+from patchmill_gui.forms.widgets import guard_editors, translate
 from patchmill_gui.views.tool_node import ToolNode
 from patchmill_gui.work.work_panel import ClosePanel
 
@@ -94,6 +94,7 @@ class PlayerPanel(ClosePanel):
         self.layout.addLayout(row)
         self.layout.addWidget(self.text)
         self.layout.addStretch()
+        guard_editors(self.form)
         self._show_speed()
 
     def _show_speed(self):

@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.number_box import NumberBox
 from patchmill_gui.forms.choice_rows import MachineBox
-from patchmill_gui.forms.widgets import let_shrink, translate
+from patchmill_gui.forms.widgets import guard_editors, let_shrink, translate
 from patchmill_gui.panels.texture_view import RELIEF
 from patchmill_gui.views.legend import LegendPlace
 from patchmill_gui.views.texture_scene import relief_display
@@ -63,6 +63,7 @@ class SimulatePanel(WorkPanel):
         rows.addRow(translate("Runout"), self.runout)
         for editor in (self.size, self.machine, self.runout):
             let_shrink(editor)
+            guard_editors(editor)
         return rows
 
     def window(self):

@@ -1,0 +1,139 @@
+"""Values typed, stepped and passed over by the wheel: what is typed is what is stored, in every unit system
+and with either decimal sign; what is not edited stays as it was.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import driver
+import FreeCAD
+import hands
+from PySide import QtCore, QtGui
+
+UNITS = "User parameter:BaseApp/Preferences/Units"
+MM, INCHES = 0, 3  # FreeCAD's schemes
+
+
+class Values(driver.BlockTest):
+    def setUp(self):
+        super().setUp()
+        self.addCleanup(FreeCAD.ParamGet(UNITS).RemInt, "UserSchema")
+        self.addCleanup(QtCore.QLocale.setDefault, QtCore.QLocale())
+        self.addCleanup(FreeCAD.Units.setSchema, MM)
+
+    def begin(self, scheme=MM, language="en_US"):
+        FreeCAD.Units.setSchema(scheme)
+        QtCore.QLocale.setDefault(QtCore.QLocale(language))
+        self.operation, self.panel = driver.begin_texture(self.part)
+        self.rows = self.panel.page.properties.rows
+        return self.rows
+
+    def typed(self, name, text, end="Return"):
+        """What a property is after `text` was typed in its field."""
+        hands.enter(self.rows[name].editor, text, end)
+        if not end:
+            driver.rest(0.6)
+        self.panel.page.properties.store()
+        value = getattr(self.operation, name)
+        return float(getattr(value, "Value", value))
+
+    def formula(self):
+        return dict(self.operation.ExpressionEngine)["Spacing"]
+
+    def text(self, name):
+        return self.rows[name].entry.line.text()
+
+    def test_a_number_without_a_unit_counts_in_millimetres_however_small_the_last_was(self):
+        self.begin()
+        self.assertAlmostEqual(self.typed("RidgeHeight", "0.05 mm"), 0.05)
+        self.assertEqual(self.text("RidgeHeight"), "0.05 mm")
+        self.assertAlmostEqual(self.typed("RidgeHeight", "0.5"), 0.5)
+        self.assertAlmostEqual(self.typed("RidgeHeight", "3 um", "Tab"), 0.003)
+        self.assertAlmostEqual(self.typed("RidgeHeight", "0.004", None), 0.004)
+        self.assertAlmostEqual(self.typed("RidgeHeight", "2*0.3"), 0.6)
+        self.assertAlmostEqual(self.typed("RidgeHeight", "nonsense"), 0.6)
+        self.assertEqual(self.text("RidgeHeight"), "0.60 mm")
+
+    def test_comma_and_point_are_both_the_decimal_sign(self):
+        for language in ("de_DE", "en_US"):
+            self.begin(language=language)
+            for text in ("0,6", "0.6", "0,6 mm", "0.6 mm"):
+                self.assertAlmostEqual(self.typed("Spacing", text), 0.6, msg="%s %s" % (language, text))
+            self.assertAlmostEqual(self.typed("Spacing", "0,7", None), 0.7)
+            self.rows["ExtraTurns"].group.heading.setChecked(True)
+            for text in ("0,25", "0.25"):
+                self.assertAlmostEqual(self.typed("ExtraTurns", text), 0.25)
+            self.assertEqual(self.text("Spacing"), "0,70 mm" if language == "de_DE" else "0.70 mm")
+            self.panel.reject()
+
+    def test_inches_are_shown_with_the_digits_that_small_depths_need(self):
+        rows = self.begin(INCHES)
+        self.operation.Depth = 0.02
+        rows["Depth"].show(self.operation)
+        self.assertEqual(self.text("Depth").split()[0], "0.0007874")
+        rows["Depth"].store(self.operation)
+        self.assertEqual(self.operation.Depth.Value, 0.02)
+        self.assertAlmostEqual(self.typed("Depth", "0.001"), 0.0254)
+        self.assertAlmostEqual(self.typed("Depth", "0.05 mm"), 0.05)
+
+    def test_what_was_not_edited_keeps_every_digit(self):
+        rows = self.begin()
+        self.operation.Spacing = 0.512345678
+        self.operation.Direction = FreeCAD.Vector(0.123456789, 0.2, -0.9)
+        self.panel.page.properties.show()
+        hands.show(rows["Spacing"].editor)
+        hands.click(rows["Spacing"].editor)
+        hands.press("Tab", "Tab")
+        hands.click(rows["Depth"].editor)
+        rows["Spacing"].store(self.operation)
+        rows["Direction"].store(self.operation)
+        self.assertEqual(self.operation.Spacing.Value, 0.512345678)
+        self.assertEqual(self.operation.Direction.x, 0.123456789)
+
+    def test_the_arrows_step_in_the_shown_unit(self):
+        self.begin()
+        self.typed("Spacing", "0.5")
+        hands.press("Up", "Up")
+        self.rows["Spacing"].store(self.operation)
+        self.assertAlmostEqual(self.operation.Spacing.Value, 0.52)
+        hands.press("Down")
+        self.rows["Spacing"].store(self.operation)
+        self.assertAlmostEqual(self.operation.Spacing.Value, 0.51)
+
+    def test_an_expression_is_followed_and_not_overwritten(self):
+        rows = self.begin()
+        self.operation.setExpression("Spacing", "2 * 0.35 mm")
+        before = self.formula()
+        rows["Spacing"].show(self.operation)
+        self.assertEqual(self.text("Spacing"), "0.70 mm")
+        rows["Spacing"].store(self.operation)
+        self.assertEqual(self.formula(), before)
+
+    def test_return_ends_a_number_and_not_the_panel(self):
+        self.begin()
+        self.typed("Spacing", "0.6")
+        self.typed("PatchSide", "9")
+        driver.rest(1.0)
+        self.assertTrue(driver.panel_open())
+        self.assertEqual((self.operation.Spacing.Value, self.operation.PatchSide), (0.6, 9))
+
+    def test_the_wheel_over_the_panel_edits_nothing(self):
+        self.begin()
+        for group in self.panel.page.properties.groups.values():
+            group.heading.setChecked(True)
+        driver.rest(0.3)
+        before = {name: str(getattr(self.operation, name)) for name in self.rows}
+        for name in ("Spacing", "PatchSide", "PatchShape", "Machine", "Strategy", "ExtraTurns"):
+            editor = self.rows[name].editor
+            hands.show(editor)
+            hands.wheel(editor, 3)
+            hands.wheel(editor, -3)
+            hands.show(editor)
+            hands.click(editor.findChild(QtGui.QLineEdit) or self.rows[name].label)
+            hands.wheel(editor, 2)
+        self.panel.page.properties.store()
+        self.assertEqual({name: str(getattr(self.operation, name)) for name in self.rows}, before)
+        self.assertTrue(driver.panel_open())
+
+
+def main():
+    return driver.run_tests(Values)
