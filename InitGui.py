@@ -1,7 +1,7 @@
 # PatchMill's workbench. Runs when FreeCAD starts with a GUI; __file__ is undefined here.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 class PatchMillWorkbench(Workbench):  # noqa: F821  FreeCAD gives it
-    """Regular dimple textures with a ball end mill."""
+    """Regular dimple textures with a ball end mill. Without its compiled core: the panel that installs it."""
 
     MenuText = "PatchMill"
     ToolTip = "Regular dimple textures with a ball end mill"
@@ -9,17 +9,35 @@ class PatchMillWorkbench(Workbench):  # noqa: F821  FreeCAD gives it
     def __init__(self):
         import os
 
-        import patchmill
+        from patchmill.install import core_loader
 
-        root = os.path.dirname(os.path.dirname(patchmill.__file__))
-        self.__class__.Icon = os.path.join(root, "Resources", "icons", "PatchMill.svg")
+        icons = os.path.join(core_loader.module_root(), "Resources", "icons")
+        self.__class__.Icon = os.path.join(icons, "PatchMill.svg")
 
     def Initialize(self):
+        from patchmill.install import core_loader
+
+        if core_loader.why_absent():
+            from patchmill_gui.app import core_panel
+
+            commands = [core_panel.start()]
+            self.appendToolbar("PatchMill", commands)
+            self.appendMenu("&PatchMill", commands)
+            return
         from patchmill_gui.app import workbench
 
         workbench.start()
         self.appendToolbar("PatchMill", workbench.toolbar())
         self.appendMenu("&PatchMill", workbench.menu())
+
+    def Activated(self):
+        from patchmill.install import core_loader
+
+        if core_loader.why_absent():
+            from patchmill_gui.app import core_panel
+            from PySide import QtCore
+
+            QtCore.QTimer.singleShot(0, core_panel.show_if_idle)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

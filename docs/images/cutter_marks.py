@@ -11,7 +11,7 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-sys.path.insert(0, str(ROOT / "src/patchmill/report"))  # the compiled part of the package is not needed
+sys.path.insert(0, str(ROOT / "src/patchmill/reports"))  # the compiled part of the package is not needed
 
 import relief_pictures as pictures  # noqa: E402
 

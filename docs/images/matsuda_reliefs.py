@@ -12,7 +12,7 @@ from pathlib import Path
 
 import FreeCAD
 import patchmill
-from patchmill.report import relief_pictures
+from patchmill.reports import relief_pictures
 
 ROOT = Path(__file__).resolve().parents[2]
 recipe = runpy.run_path(str(ROOT / "Resources" / "recipes" / "matsuda2008" / "run.py"), run_name="recipe")

@@ -1,5 +1,5 @@
-// Displays for Python: made in any thread, shown by filling groups of Coin nodes that pivy made and named.
-// Coin's node names are global in the process, so big arrays never become Python lists.
+// Displays for Python: made in any thread, in chunks of bytes that Coin reads, so that big arrays never become
+// Python lists.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "core/geometry/require.h"
@@ -9,10 +9,6 @@
 #include "scene/field_nodes.h"
 #include "scene/grid_nodes.h"
 #include "scene/path_nodes.h"
-
-#include <Inventor/SbName.h>
-#include <Inventor/nodes/SoGroup.h>
-#include <Inventor/nodes/SoSeparator.h>
 
 namespace patchmill {
 namespace {
@@ -25,13 +21,10 @@ struct HeldDisplay {
   scene::Display chunks;
 };
 
-/// Adds chunk `i` to the group called `group`.
-void show_chunk(const HeldDisplay& display, const std::string& group, std::size_t i) {
+/// Chunk `i`, an Open Inventor file.
+py::bytes chunk(const HeldDisplay& display, std::size_t i) {
   if (i >= display.chunks.size()) throw py::index_error();
-  SoNode* node = SoNode::getByName(SbName(group.c_str()));
-  if (!node || !node->isOfType(SoGroup::getClassTypeId()))
-    throw InputError("group", "'" + group + "'", "name a Coin group that exists.");
-  static_cast<SoGroup*>(node)->addChild(display.chunks[i]());
+  return py::bytes(display.chunks[i]);
 }
 
 std::vector<Vec3> vectors_of(const Rows& rows) {
@@ -142,8 +135,8 @@ void bind_texture_displays(py::module_& m) {
 void bind_scene(py::module_& m) {
   py::class_<HeldDisplay>(m, "Display", "Something to show, in chunks; made in any thread.")
       .def("__len__", [](const HeldDisplay& d) { return d.chunks.size(); })
-      .def("show_chunk", &show_chunk, py::arg("group"), py::arg("number"),
-           "Adds a chunk to the named Coin group. In the GUI's thread only.");
+      .def("chunk", &chunk, py::arg("number"),
+           "A chunk as the bytes of an Open Inventor file, for coin.SoDB.readAll.");
   bind_texture_displays(m);
   const auto released = py::call_guard<py::gil_scoped_release>();
   m.def(

@@ -53,6 +53,7 @@ Progress progress_of(const py::object& callable) {
 }  // namespace patchmill
 
 PYBIND11_MODULE(_patchmill, m) {
+  m.attr("__version__") = PATCHMILL_VERSION;
   m.doc() = "PatchMill's core: patches, phase, marks. mm, s, radians, revolutions per second.";
   patchmill::bind_errors(m);
   patchmill::bind_threads(m);

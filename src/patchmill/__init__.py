@@ -11,9 +11,13 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import importlib
 
-from _patchmill import InputError  # noqa: F401
+from patchmill._version import __version__  # noqa: F401
+from patchmill.install import core_loader
 
-from patchmill import old_names
+core_loader.load()  # or a stand-in that says why not
+from _patchmill import InputError  # noqa: E402,F401
+
+from patchmill import old_names  # noqa: E402
 
 old_names.FINDER.install()
 
@@ -29,15 +33,15 @@ _LAZY = {
     "live": ("patchmill.verify.live", None),
     "tilted_path": ("patchmill.path.tilted_path", None),
     "removal_model": ("patchmill.voxels.removal_model", None),
-    "advisor": ("patchmill.texture.advisor", None),
-    "advise": ("patchmill.texture.advisor", "advise"),
-    "mark_state": ("patchmill.texture.advisor", "mark_state"),
+    "advisor": ("patchmill.textures.advisor", None),
+    "advise": ("patchmill.textures.advisor", "advise"),
+    "mark_state": ("patchmill.textures.advisor", "mark_state"),
     "planned": ("patchmill.operations.texture_operation", "planned"),
     "recompute": ("patchmill.operations.texture_operation", "recompute"),
     "post": ("patchmill.posting", "post"),
     "simulate": ("patchmill.verify.simulation", "simulate"),
     "check": ("patchmill.verify.checks", "check"),
-    "write_report": ("patchmill.report", "write_report"),
+    "write_report": ("patchmill.reports.report", "write_report"),
 }
 
 

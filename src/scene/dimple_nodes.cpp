@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/dimple_nodes.h"
 
-#include "scene/safe_detail.h"
 #include "scene/shapes.h"
 
-#include <Inventor/nodes/SoSeparator.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,7 +57,7 @@ void add_disc(Triangles& triangles, const Dimple& dimple, double radius) {
 
 struct DimpleChunk {
   Triangles discs;
-  std::vector<SbVec3f> points, few_points;
+  std::vector<Point3f> points, few_points;
   std::vector<Rgba> colours, few_colours;
 };
 
@@ -71,7 +69,7 @@ DimpleChunk chunk_of(const std::vector<const Dimple*>& dimples, std::size_t firs
   chunk.discs.corners.reserve(4 * (kCorners - 2) * (last - first));
   for (std::size_t i = first; i < last; ++i) {
     const Dimple& dimple = *dimples[i];
-    const SbVec3f place = single(dimple.surface.position + kLift * radius * dimple.surface.normal);
+    const Point3f place = single(dimple.surface.position + kLift * radius * dimple.surface.normal);
     add_disc(chunk.discs, dimple, radius);
     chunk.points.push_back(place);
     chunk.colours.push_back(state_colour(dimple.state));
@@ -82,17 +80,14 @@ DimpleChunk chunk_of(const std::vector<const Dimple*>& dimples, std::size_t firs
   return chunk;
 }
 
-SoSeparator* node_of(const DimpleChunk& chunk) {
+InventorNode node_of(const DimpleChunk& chunk) {
   const auto count = static_cast<float>(chunk.points.size());
-  auto* detail = make_detail();
-  const std::array<float, 2> areas{kPixelsOfDisc * count, kPixelsOfPoint * count};
-  detail->screenArea.setValues(0, 2, areas.data());
-  detail->addChild(triangle_node(chunk.discs));
-  detail->addChild(point_node(chunk.points, chunk.colours, 3.0f));
-  detail->addChild(point_node(chunk.few_points, chunk.few_colours, 3.0f));
-  auto* separator = new SoSeparator;
-  separator->addChild(detail);
-  return separator;
+  InventorNode detail("LevelOfDetail");
+  detail.numbers("screenArea", {kPixelsOfDisc * count, kPixelsOfPoint * count});
+  detail.child(triangle_node(chunk.discs));
+  detail.child(point_node(chunk.points, chunk.colours, 3.0f));
+  detail.child(point_node(chunk.few_points, chunk.few_colours, 3.0f));
+  return InventorNode("Separator").child(detail);
 }
 
 /// An arrowhead at `tip`, coming from `tail`, in the tangent plane.
@@ -115,7 +110,7 @@ Display dimple_display(const Dimples& dimples, double radius) {
   Display display((shown.size() + kChunk - 1) / kChunk);
   tbb::parallel_for(std::size_t{0}, display.size(), [&](std::size_t i) {
     const std::size_t last = std::min(shown.size(), (i + 1) * kChunk);
-    display[i] = [chunk = chunk_of(shown, i * kChunk, last, radius)] { return node_of(chunk); };
+    display[i] = node_of(chunk_of(shown, i * kChunk, last, radius)).file();
   });
   return display;
 }
@@ -126,12 +121,9 @@ Display order_display(const Dimples& dimples, double spacing) {
   Display display;
   Polylines lines, heads;
   const auto flush = [&] {
-    display.push_back([lines, heads] {
-      auto* root = new SoSeparator;
-      root->addChild(line_node(lines, 1.0f));
-      root->addChild(line_node(heads, 1.5f));
-      return root;
-    });
+    InventorNode root("Separator");
+    root.child(line_node(lines, 1.0f)).child(line_node(heads, 1.5f));
+    display.push_back(root.file());
     lines = heads = Polylines();
   };
   const double lift = 0.2 * spacing;
@@ -174,7 +166,7 @@ Display outline_display(const std::vector<std::vector<Vec3>>& outlines) {
     }
     lines.close_from(first);
   }
-  return {[lines] { return line_node(lines, 1.5f); }};
+  return {line_node(lines, 1.5f).file()};
 }
 
 }  // namespace patchmill::scene

@@ -5,7 +5,6 @@
 #include "core/geometry/error.h"
 #include "scene/shapes.h"
 
-#include <Inventor/nodes/SoSeparator.h>
 #include <string>
 
 namespace patchmill::scene {
@@ -42,7 +41,7 @@ Display slice_display(const std::vector<Vec3>& centres, const std::vector<double
     triangles.corners.insert(triangles.corners.end(),
                              {first, first + 1, first + 2, -1, first, first + 2, first + 3, -1});
   }
-  return {[triangles] { return triangle_node(triangles); }};
+  return {triangle_node(triangles).file()};
 }
 
 Display arrow_display(const std::vector<Vec3>& places, const std::vector<Vec3>& vectors,
@@ -65,7 +64,7 @@ Display arrow_display(const std::vector<Vec3>& places, const std::vector<Vec3>& 
       lines.add(corner, colour);
     lines.close_from(head);
   }
-  return {[lines] { return line_node(lines, 1.5f); }};
+  return {line_node(lines, 1.5f).file()};
 }
 
 }  // namespace patchmill::scene

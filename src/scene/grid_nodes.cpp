@@ -4,15 +4,8 @@
 
 #include "core/geometry/error.h"
 #include "scene/colours.h"
-#include "scene/safe_detail.h"
 #include "scene/shapes.h"
 
-#include <Inventor/nodes/SoIndexedFaceSet.h>
-#include <Inventor/nodes/SoMaterial.h>
-#include <Inventor/nodes/SoPolygonOffset.h>
-#include <Inventor/nodes/SoSeparator.h>
-#include <Inventor/nodes/SoShapeHints.h>
-#include <Inventor/nodes/SoVertexProperty.h>
 #include <algorithm>
 #include <array>
 #include <string>
@@ -27,9 +20,6 @@ constexpr std::size_t kCells = 128;  // cells along the side of a chunk
 // Strides of the copies, and the pixels of the screen over which the finer one is drawn.
 constexpr std::array<std::size_t, 4> kStrides{1, 2, 4, 16};
 constexpr std::array<float, 3> kPixels{200000.0f, 50000.0f, 6000.0f};
-// Steps of a depth buffer of 24 bits: 0.6 % of the view's depth, as much as the host's triangles of a bent face
-// stand off it when they are coarse.
-constexpr float kNearer = -1.0e5f;
 
 /// Rows (or columns) of a chunk from `first` to `last`, both included, every `stride`.
 std::vector<std::size_t> picked(std::size_t first, std::size_t last, std::size_t stride) {
@@ -51,7 +41,7 @@ Vec3 normal_at(const Grid& grid, std::size_t row, std::size_t column) {
 
 /// The arrays of one copy of a chunk.
 struct GridCopy {
-  std::vector<SbVec3f> places, normals;
+  std::vector<Point3f> places, normals;
   std::vector<Rgba> colours;
   std::vector<std::int32_t> corners;
 };
@@ -62,7 +52,7 @@ void add_vertices(GridCopy& copy, const Grid& grid, const std::vector<std::size_
   for (const std::size_t row : rows)
     for (const std::size_t column : columns) {
       const Vec3 place = grid.point(row, column);
-      copy.places.push_back(place.allFinite() ? single(place) : SbVec3f(0, 0, 0));
+      copy.places.push_back(place.allFinite() ? single(place) : Point3f{});
       copy.normals.push_back(single(normal_at(grid, row, column)));
       copy.colours.push_back(
           scale_colour((grid.values[row * grid.columns + column] - grid.low) / span));
@@ -84,17 +74,15 @@ void add_corners(GridCopy& copy, const Grid& grid, const std::vector<std::size_t
     }
 }
 
-SoIndexedFaceSet* node_of(const GridCopy& copy) {
-  auto* property = new SoVertexProperty;
-  const int count = static_cast<int>(copy.places.size());
-  property->vertex.setValues(0, count, copy.places.data());
-  property->normal.setValues(0, count, copy.normals.data());
-  property->orderedRGBA.setValues(0, count, copy.colours.data());
-  property->normalBinding = SoVertexProperty::PER_VERTEX_INDEXED;
-  property->materialBinding = SoVertexProperty::PER_VERTEX_INDEXED;
-  auto* set = new SoIndexedFaceSet;
-  set->vertexProperty = property;
-  set->coordIndex.setValues(0, static_cast<int>(copy.corners.size()), copy.corners.data());
+InventorNode node_of(const GridCopy& copy) {
+  InventorNode property("VertexProperty");
+  property.points("vertex", copy.places)
+      .points("normal", copy.normals)
+      .colours("orderedRGBA", copy.colours)
+      .name("normalBinding", "PER_VERTEX_INDEXED")
+      .name("materialBinding", "PER_VERTEX_INDEXED");
+  InventorNode set("IndexedFaceSet");
+  set.node("vertexProperty", property).integers("coordIndex", copy.corners);
   return set;
 }
 
@@ -111,25 +99,16 @@ GridChunk chunk_of(const Grid& grid, std::size_t row, std::size_t column) {
   return chunk;
 }
 
-SoSeparator* node_of(const GridChunk& chunk) {
-  auto* hints = new SoShapeHints;
-  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
-  hints->shapeType = SoShapeHints::UNKNOWN_SHAPE_TYPE;
-  hints->faceType = SoShapeHints::CONVEX;
-  auto* material = new SoMaterial;  // matt: a highlight would look like a height
-  material->specularColor = SbColor(0.0f, 0.0f, 0.0f);
-  auto* nearer = new SoPolygonOffset;  // than the host's own, coarser triangles of the same face
-  nearer->factor = -1.0f;
-  nearer->units = kNearer;
-  auto* detail = make_detail();
-  detail->screenArea.setValues(0, static_cast<int>(kPixels.size()), kPixels.data());
-  for (const GridCopy& copy : chunk) detail->addChild(node_of(copy));
-  auto* separator = new SoSeparator;
-  separator->addChild(hints);
-  separator->addChild(material);
-  separator->addChild(nearer);
-  separator->addChild(detail);
-  return separator;
+InventorNode node_of(const GridChunk& chunk) {
+  InventorNode hints("ShapeHints"), material("Material"), detail("LevelOfDetail");
+  hints.name("vertexOrdering", "COUNTERCLOCKWISE")
+      .name("shapeType", "UNKNOWN_SHAPE_TYPE")
+      .name("faceType", "CONVEX");
+  // matt: a highlight would look like a height
+  material.points("specularColor", {Point3f{}});
+  detail.numbers("screenArea", {kPixels.begin(), kPixels.end()});
+  for (const GridCopy& copy : chunk) detail.child(node_of(copy));
+  return InventorNode("Separator").child(hints).child(material).child(detail);
 }
 
 }  // namespace
@@ -142,7 +121,7 @@ Display grid_display(const Grid& grid) {
   Display display(down * across);
   tbb::parallel_for(std::size_t{0}, display.size(), [&](std::size_t i) {
     const std::size_t row = i / across * kCells, column = i % across * kCells;
-    display[i] = [chunk = chunk_of(grid, row, column)] { return node_of(chunk); };
+    display[i] = node_of(chunk_of(grid, row, column)).file();
   });
   return display;
 }

@@ -4,7 +4,6 @@
 
 #include "scene/shapes.h"
 
-#include <Inventor/nodes/SoSeparator.h>
 #include <algorithm>
 
 namespace patchmill::scene {
@@ -31,7 +30,7 @@ Display path_display(const ToolPath& path, std::size_t first, std::size_t last) 
   for (std::size_t i = first; i < last; i += kChunk) {
     Polylines lines;
     add_moves(lines, path, i, std::min(i + kChunk, last));
-    display.push_back([lines = std::move(lines)] { return line_node(lines, 1.0f); });
+    display.push_back(line_node(lines, 1.0f).file());
   }
   return display;
 }
@@ -48,7 +47,7 @@ Display path_axis_display(const ToolPath& path, double length, std::size_t most)
     lines.add(pose.tip + length * pose.axis, 0x6a3d9aff);
     lines.close_from(first);
   }
-  return {[lines] { return line_node(lines, 1.0f); }};
+  return {line_node(lines, 1.0f).file()};
 }
 
 }  // namespace patchmill::scene

@@ -1,29 +1,25 @@
-// Small builders of Coin nodes that the display's parts share: lines, points and triangles with a colour
-// for each vertex. Positions are rounded to float: Coin's own precision.
+// Small builders of nodes that the display's parts share: lines, points and triangles with a colour
+// for each vertex. Positions are rounded to float: the scene graph's own precision.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 #include "core/geometry/vec.h"
 #include "scene/colours.h"
+#include "scene/inventor.h"
 
-#include <Inventor/SbVec3f.h>
 #include <vector>
-
-class SoGroup;
-class SoNode;
-class SoSeparator;
 
 namespace patchmill::scene {
 
-inline SbVec3f single(const Vec3& v) {
+inline Point3f single(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
 /// Polylines end to end in one array of vertices, each with its colour.
 struct Polylines {
-  std::vector<SbVec3f> vertices;
+  std::vector<Point3f> vertices;
   std::vector<Rgba> colours;
-  std::vector<int> lengths;  ///< vertices of each polyline; their sum is vertices.size()
+  std::vector<std::int32_t> lengths;  ///< vertices of each polyline; their sum is vertices.size()
 
   void add(const Vec3& point, Rgba colour) {
     vertices.push_back(single(point));
@@ -34,20 +30,20 @@ struct Polylines {
 };
 
 /// Unlit lines of `width` pixels.
-SoSeparator* line_node(const Polylines& lines, float width);
+InventorNode line_node(const Polylines& lines, float width);
 
 /// Unlit points of `size` pixels.
-SoSeparator* point_node(const std::vector<SbVec3f>& points, const std::vector<Rgba>& colours,
+InventorNode point_node(const std::vector<Point3f>& points, const std::vector<Rgba>& colours,
                         float size);
 
 struct Triangles {
-  std::vector<SbVec3f> vertices;
+  std::vector<Point3f> vertices;
   std::vector<Rgba> colours;          ///< one to a vertex
   std::vector<std::int32_t> corners;  ///< three vertex numbers and -1 for each triangle
 };
 
 /// Unlit triangles seen from both sides, drawn a little nearer than they are so that a face under
 /// them does not shine through.
-SoSeparator* triangle_node(const Triangles& triangles);
+InventorNode triangle_node(const Triangles& triangles);
 
 }  // namespace patchmill::scene

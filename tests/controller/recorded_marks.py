@@ -23,7 +23,7 @@ import _patchmill as core  # noqa: E402
 import patchmill  # noqa: E402
 from harness import controller, phase  # noqa: E402
 from patchmill.machine import machines  # noqa: E402
-from patchmill.report import relief_pictures  # noqa: E402
+from patchmill.reports import relief_pictures  # noqa: E402
 from recipe import STEP, run  # noqa: E402
 
 ACCELERATION, VELOCITY = 2000.0, 100.0  # of the simulated machine: mm/s², mm/s

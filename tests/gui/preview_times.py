@@ -11,7 +11,7 @@ import time
 import driver
 import FreeCADGui
 import numpy as np
-from patchmill.texture.plan import place_texture
+from patchmill.textures.plan import place_texture
 from patchmill_gui.views.texture_scene import placed_displays, relief_display
 
 

@@ -124,3 +124,4 @@ call("grid_display", points=np.zeros((3, 4, 3)), values=np.zeros((3, 4)), **SHOW
 call("slice_display", centres=ROWS3, values=[0.0, 0.5, 1.0], side=1.0, axis=0, **SHOWN)
 call("arrow_display", places=ROWS3, vectors=UP, scale=1.0, values=[0.0, 0.5, 1.0], **SHOWN)
 call("scale_colour", share=0.5)
+call("Display.chunk", core.path_display(t.path).chunk, number=0)

@@ -18,7 +18,7 @@ import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
 from patchmill.machine import machines  # noqa: E402
 from patchmill.posting import post_dialect  # noqa: E402
-from patchmill.texture import tool_posture  # noqa: E402
+from patchmill.textures import tool_posture  # noqa: E402
 from recipe import small_job  # noqa: E402
 
 POSTS = {

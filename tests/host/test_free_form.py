@@ -13,7 +13,7 @@ import unittest
 
 import numpy as np
 import patchmill
-from patchmill.texture import advisor, free_form
+from patchmill.textures import advisor, free_form
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from parts import WithDocuments  # noqa: E402

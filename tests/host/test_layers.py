@@ -22,8 +22,8 @@ COIN = re.compile(r"^Inventor/")
 FOREIGN = {
     "core": [OPENCASCADE, PYTHON, HOST, COIN],
     "brep": [PYTHON, HOST, COIN],
-    "scene": [OPENCASCADE, PYTHON, HOST],
-    "bindings": [HOST],
+    "scene": [OPENCASCADE, PYTHON, HOST, COIN],
+    "bindings": [HOST, COIN],
 }
 PYTHON_FORBIDDEN = re.compile(
     r"^\s*(?:from|import)\s+(FreeCADGui|PySide\w*|PyQt\w*|pivy|patchmill_gui|Gui|Path\w*Gui\w*)\b"

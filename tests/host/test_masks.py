@@ -11,7 +11,7 @@ import unittest
 import numpy as np
 import Part
 import patchmill
-from patchmill.texture import masks
+from patchmill.textures import masks
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from parts import V, WithDocuments, job_on, tilted_box  # noqa: E402

@@ -61,9 +61,8 @@ class OldNames(unittest.TestCase):
         self.assertIs(from_package, host)
         self.assertIs(VERSION, host.VERSION)
         self.assertIs(patchmill.quick_setup, importlib.import_module("patchmill.operations.quick_setup"))
-        for name in ("posting", "report"):  # these are folders now
-            self.assertTrue(importlib.import_module("patchmill." + name).__file__.endswith("__init__.py"))
-        self.assertTrue(callable(patchmill.posting.post) and callable(patchmill.report.write_report))
+        # this one is a folder now; `report` is no module any more: patchmill.write_report is what it was for
+        self.assertTrue(callable(importlib.import_module("patchmill.posting").post))
 
     def test_freecad_is_told_the_file(self):
         # FreeCAD 1.x restores proxies only from modules in a Mod folder

@@ -13,8 +13,8 @@ import FreeCAD
 import numpy as np
 import Part
 import patchmill
-from patchmill.texture.masks import MaskInput
-from patchmill.texture.plan import TextureInput, plan_texture
+from patchmill.textures.masks import MaskInput
+from patchmill.textures.plan import TextureInput, plan_texture
 
 V = FreeCAD.Vector
 COUNT = 100

@@ -16,7 +16,7 @@ import FreeCAD
 import numpy as np
 import Part
 
-from patchmill.texture.plan import TextureInput, plan_texture
+from patchmill.textures.plan import TextureInput, plan_texture
 
 OCCT = pathlib.Path("/usr/share/opencascade/data")
 IDF = pathlib.Path("/usr/share/freecad/Mod/Idf/Idflibs")

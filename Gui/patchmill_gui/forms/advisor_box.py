@@ -4,7 +4,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from _patchmill import InputError
-from patchmill.texture import advisor
+from patchmill.textures import advisor
 from PySide import QtGui
 
 from patchmill_gui.forms.widgets import translate

@@ -5,7 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
-from patchmill.texture import strategies, tool_posture
+from patchmill.textures import strategies, tool_posture
 
 MASK = {
     "MaskImage",

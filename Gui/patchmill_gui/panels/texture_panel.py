@@ -11,7 +11,7 @@ import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
 from patchmill.operations.texture_operation import prepare
-from patchmill.texture.plan import place_texture
+from patchmill.textures.plan import place_texture
 from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.advisor_box import AdvisorBox

@@ -1,21 +1,26 @@
 """The display of one texture in the 3-D view: dimples, milling order, patch outlines, tool path, tool axes
-and relief, each a branch that can be switched. Arrays go from C++ to Coin without becoming Python lists.
+and relief, each a branch that can be switched. Arrays go from C++ to Coin as bytes, never as Python lists.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import itertools
 import time
 
 import _patchmill as core
 import numpy as np
-from patchmill.texture.outlines import outlines_on_faces
+from patchmill.textures.outlines import outlines_on_faces
 from pivy import coin
 from PySide import QtCore
 
 PARTS = ("dimples", "outlines", "order", "axes", "path", "relief")
 SLICE_SECONDS, PAUSE_MS = 0.02, 10
-_numbers = itertools.count(1)
+
+
+def read_nodes(chunk):
+    """The Coin nodes of a chunk of a _patchmill.Display, in one separator. In the GUI's thread only."""
+    source = coin.SoInput()
+    source.setBuffer(chunk)
+    return coin.SoDB.readAll(source)
 
 
 class SceneParts:
@@ -26,7 +31,6 @@ class SceneParts:
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE  # what is under the display stays selectable
         self.root.addChild(pick)
-        self._number = next(_numbers)
         self._switches = {}
         self._pending = []  # (part, display, number of its chunk)
         self._timer = QtCore.QTimer()
@@ -34,15 +38,10 @@ class SceneParts:
         self._timer.timeout.connect(self._feed)
         for part in parts:
             switch, group = coin.SoSwitch(), coin.SoSeparator()
-            group.setName(self.name(part))
             switch.addChild(group)
             switch.whichChild = coin.SO_SWITCH_NONE
             self.root.addChild(switch)
             self._switches[part] = (switch, group)
-
-    def name(self, part):
-        """Name of the Coin group that C++ fills."""
-        return "PatchMill%d_%s" % (self._number, part)
 
     def switch(self, part, on):
         self._switches[part][0].whichChild = coin.SO_SWITCH_ALL if on else coin.SO_SWITCH_NONE
@@ -76,7 +75,7 @@ class SceneParts:
         end = time.monotonic() + SLICE_SECONDS
         while self._pending and time.monotonic() < end:
             part, display, number = self._pending.pop(0)
-            display.show_chunk(self.name(part), number)
+            self._switches[part][1].addChild(read_nodes(display.chunk(number)))
         if self._pending:
             self._timer.start(PAUSE_MS)
 

@@ -27,7 +27,7 @@ import patchmill  # noqa: E402
 from patchmill import CopyMilling, DressupDCM  # noqa: E402
 from patchmill.freecad import host  # noqa: E402
 from patchmill.modifiers import dcm  # noqa: E402
-from patchmill.report import dcm_plots  # noqa: E402
+from patchmill.reports import dcm_plots  # noqa: E402
 from patchmill.voxels import removal_model  # noqa: E402
 
 VOXEL, DEPTH, LOW, HIGH = 2.0, 2.0, 400.0 / 60.0, 800.0 / 60.0

@@ -11,7 +11,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill.freecad import hooks, host, made_from
+from patchmill.freecad import absent_core, hooks, host, made_from
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from patchmill.modifiers import dcm
 from patchmill.operations.base import forget_dressups, not_computed
@@ -102,6 +102,7 @@ class DressupDCM:
 
     RESULT = "result"
     model = result = error = ready = None
+    _opened = False
 
     def __init__(self, obj, base):
         obj.addProperty(
@@ -126,6 +127,7 @@ class DressupDCM:
     def onDocumentRestored(self, obj):
         property_table.add(obj, PROPERTIES, RESULTS)
         made_from.add(obj)
+        self._opened = True
         hooks.announce_restored(obj)
 
     def onDelete(self, obj, args=None):
@@ -148,7 +150,13 @@ class DressupDCM:
         self.model = self.result = self.error = None
         obj.Path = host.Path.Path()
 
+    def onChanged(self, obj, prop):
+        if self._opened:
+            absent_core.drop_path(obj, prop, [row[1] for row in PROPERTIES] + ["Base"])
+
     def execute(self, obj):
+        if absent_core.keeps_path(obj):
+            return
         before = self.model  # its voxels may do for the new one, while it is there
         self.forget_path(obj)
         try:

@@ -6,7 +6,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 from _patchmill import InputError
 
-from patchmill.freecad import hooks, host, made_from, tool_controller
+from patchmill.freecad import absent_core, hooks, host, made_from, tool_controller
+from patchmill.install import core_loader
 from patchmill.properties import property_table
 
 
@@ -17,6 +18,7 @@ class BallEndOperation(host.PathOp.ObjectOp):
 
     RESULT = ""
     error = None
+    _opened = False  # whether it comes from a document that is open by now
 
     @classmethod
     def properties(cls):
@@ -42,7 +44,15 @@ class BallEndOperation(host.PathOp.ObjectOp):
     def opOnDocumentRestored(self, obj):
         property_table.add(obj, self.properties(), self.results())  # documents of older versions
         made_from.add(obj)
+        self._opened = True
         hooks.announce_restored(obj)
+
+    def onChanged(self, obj, prop):
+        super().onChanged(obj, prop)
+        if self._opened:
+            inputs = [row[1] for row in self.properties()]
+            inputs += ["Base", "ToolController", "SafeHeight", "ClearanceHeight"]
+            absent_core.drop_path(obj, prop, inputs)
 
     def opSetDefaultValues(self, obj, job):
         property_table.set_defaults(obj, self.properties())
@@ -51,6 +61,8 @@ class BallEndOperation(host.PathOp.ObjectOp):
         """As ObjectOp.execute, but an operation that fails leaves no old path to be posted, neither its own
         nor that of a dressup on it, which FreeCAD does not recompute then."""
         self.forget()
+        if absent_core.keeps_path(obj):
+            return None
         obj.Path = host.Path.Path()
         try:
             if obj.Active:
@@ -144,6 +156,8 @@ def made(obj):
 
 def not_computed(obj):
     """The InputError for an operation or dressup that has no result, though it has no error of its own."""
+    if core_loader.why_absent():
+        return core_loader.absent_error(core_loader.why_absent())
     if not host.is_active(obj):
         operation = obj
         while not hasattr(operation, "Active"):  # a dressup is as active as what is under it

@@ -19,8 +19,8 @@ from patchmill.freecad import host, made_from, tool_controller
 from patchmill.operations.base import BallEndOperation, made, recompute
 from patchmill.properties.texture_properties import PROPERTIES
 from patchmill.properties.texture_results import RESULTS, show_results
-from patchmill.texture.masks import MaskInput, curve_loops
-from patchmill.texture.plan import PlannedTexture, TextureInput, plan_texture
+from patchmill.textures.masks import MaskInput, curve_loops
+from patchmill.textures.plan import PlannedTexture, TextureInput, plan_texture
 from patchmill.voxels import axis_field
 
 

@@ -18,7 +18,7 @@ from _patchmill import InputError
 from patchmill.freecad import host, post_probe
 from patchmill.operations.copy_input import UNDERCUTS
 from patchmill.operations.texture_operation import ObjectTexture, planned
-from patchmill.texture import strategies, tool_posture
+from patchmill.textures import strategies, tool_posture
 from patchmill.verify import checks, posted_milling
 
 

@@ -6,7 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import FreeCAD
 
-from patchmill.texture import tool_posture
+from patchmill.textures import tool_posture
 
 AXIS_PROPERTIES = [
     (

@@ -6,7 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
-from patchmill.texture import strategies
+from patchmill.textures import strategies
 
 PROPERTIES = [
     (

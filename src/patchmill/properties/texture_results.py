@@ -7,7 +7,7 @@ import math
 
 import FreeCAD
 
-from patchmill.texture.free_form import phase_differences
+from patchmill.textures.free_form import phase_differences
 
 RESULTS = [
     ("App::PropertyInteger", "DimpleCount", "Result", "Dimples that are milled"),

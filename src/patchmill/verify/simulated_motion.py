@@ -11,7 +11,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.machine import machines
-from patchmill.texture import tool_posture
+from patchmill.textures import tool_posture
 
 
 def motion_of(plan, path, program, dialect, machine, samples):

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import _patchmill as core
 
-from patchmill.texture.plan import PlannedTexture
+from patchmill.textures.plan import PlannedTexture
 
 
 @dataclass

@@ -1,7 +1,7 @@
 // The two experiments of Kobayashi & Shirase 2014 (section 4, Tables 1 and 2): feed over a smooth
 // convex part, posture over an overhanging part; each with the paper's staircase and with the
 // smooth reading. With PATCHMILL_DCM_DIR set, the tables for the figures
-// (src/patchmill/report/dcm_plots.py) are written to that folder.
+// (src/patchmill/reports/dcm_plots.py) are written to that folder.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/copy/copy_milling.h"
 #include "core/dcm/apply_dcm.h"

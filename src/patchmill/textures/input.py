@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import _patchmill as core
 
-from patchmill.texture import masks, strategies
+from patchmill.textures import masks, strategies
 
 
 @dataclass

@@ -10,8 +10,8 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.texture import strategies
-from patchmill.texture.division import divide_on_surface, sampler_on
+from patchmill.textures import strategies
+from patchmill.textures.division import divide_on_surface, sampler_on
 
 
 def place(given, progress=None):

@@ -5,7 +5,7 @@ The plotting functions take arrays and a matplotlib Axes and know nothing of fil
 as a program it makes the pictures of docs/ from the tables that the experiments' test writes:
 
     PATCHMILL_DCM_DIR=tables build/tests/core/test_copy --gtest_filter='Kobayashi*'
-    python3 src/patchmill/report/dcm_plots.py tables docs/images
+    python3 src/patchmill/reports/dcm_plots.py tables docs/images
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill.texture import tool_posture
+from patchmill.textures import tool_posture
 
 CONSTANT, FITTED, FEED, LOCKED = NAMES = (
     "Constant feed",

@@ -12,7 +12,7 @@ import os
 
 import numpy as np
 
-from patchmill.report import pictures, relief_report
+from patchmill.reports import pictures, relief_report
 
 
 def report_data(posted, plan, gcode, simulated=None):

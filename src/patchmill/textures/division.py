@@ -9,7 +9,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.texture import masks
+from patchmill.textures import masks
 
 
 def _plane(given, origin):

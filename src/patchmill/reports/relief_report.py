@@ -8,7 +8,7 @@ import os
 import _patchmill as core
 import numpy as np
 
-from patchmill.report import relief_pictures
+from patchmill.reports import relief_pictures
 
 DETAIL = 14  # spacings across the detail
 

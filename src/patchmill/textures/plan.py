@@ -13,9 +13,9 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.machine import machines
-from patchmill.texture import free_form, masks, strategies, tool_posture
-from patchmill.texture.division import divide, require_apart, sampler_on, texture_size
-from patchmill.texture.input import TextureInput
+from patchmill.textures import free_form, masks, strategies, tool_posture
+from patchmill.textures.division import divide, require_apart, sampler_on, texture_size
+from patchmill.textures.input import TextureInput
 
 __all__ = ["PlacedTexture", "PlannedTexture", "TextureInput", "place_texture", "plan_texture"]
 

@@ -1,0 +1,124 @@
+"""What the workbench is without its compiled core: one panel that says what is missing, for which FreeCAD,
+and installs it. Imports nothing that needs the core or FreeCAD's Path module.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import os
+import shlex
+import sys
+
+import FreeCAD
+import FreeCADGui
+from patchmill.install import core_loader, wheels
+from patchmill.freecad.translate import QT_TRANSLATE_NOOP
+from PySide import QtCore, QtGui
+
+from patchmill_gui.forms.widgets import button_number, translate
+
+NAME = "PatchMill_InstallCore"
+
+
+def host_words():
+    """The FreeCAD that runs, as a bug report wants it."""
+    version = ".".join(FreeCAD.Version()[:3]).split(" ")[0]
+    return "FreeCAD %s, Python %d.%d, %s" % (version, *sys.version_info[:2], sys.platform)
+
+
+class CorePanel:
+    """Task panel. `said` is a label with what came of it."""
+
+    def __init__(self):
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(translate("PatchMill's compiled core"))
+        layout = QtGui.QVBoxLayout(self.form)
+        reason = core_loader.why_absent()
+        text = "%s.\n\n%s" % (reason[:1].upper() + reason[1:], host_words())
+        self.reason = self._label(layout, text)
+        keep = translate("Documents with PatchMill's operations can be opened and saved; nothing is lost.")
+        self._label(layout, keep)
+        self.buttons = {}
+        for name, text, action in (
+            ("install", translate("Install"), self.install),
+            ("choose", translate("Install from a wheel file …"), self.choose),
+            ("copy", translate("Copy the command for a terminal"), self.copy),
+        ):
+            button = QtGui.QPushButton(text)
+            button.clicked.connect(action)
+            layout.addWidget(button)
+            self.buttons[name] = button
+        self.said = self._label(layout, "")
+        layout.addStretch(1)
+
+    @staticmethod
+    def _label(layout, text):
+        label = QtGui.QLabel(text)
+        label.setWordWrap(True)
+        label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        layout.addWidget(label)
+        return label
+
+    def install(self):
+        """A wheel that lies near is taken; else pip fetches one."""
+        found = wheels.at_hand()
+        self._do(lambda: wheels.install(found[0]) if found else wheels.fetch())
+
+    def choose(self):
+        title = translate("A wheel of PatchMill's core")
+        name = QtGui.QFileDialog.getOpenFileName(self.form, title, "", "patchmill_core-*.whl")[0]
+        if name:
+            self._do(lambda: wheels.install(name))
+
+    def copy(self):
+        QtGui.QApplication.clipboard().setText(shlex.join(wheels.command()))
+        self.said.setText(translate("Copied. Start FreeCAD again when it has run."))
+
+    def _do(self, work):
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            work()
+            reason = core_loader.reload()
+        except wheels.InstallError as error:
+            reason = str(error)
+        finally:
+            QtGui.QApplication.restoreOverrideCursor()
+        if reason:
+            self.said.setText(reason[:1].upper() + reason[1:])
+            return
+        self.said.setText(translate("Installed. Start FreeCAD again to use it."))
+        for button in self.buttons.values():
+            button.setEnabled(False)
+
+    def getStandardButtons(self):
+        return button_number(QtGui.QDialogButtonBox.Close)
+
+    def reject(self):
+        FreeCADGui.Control.closeDialog()
+
+
+class InstallCore:
+    """Opens the panel."""
+
+    def GetResources(self):
+        icon = os.path.join(core_loader.module_root(), "Resources", "icons", "PatchMill.svg")
+        text = QT_TRANSLATE_NOOP("PatchMill_InstallCore", "Install PatchMill's core …")
+        tip = QT_TRANSLATE_NOOP("PatchMill_InstallCore", "What is missing here, and how to get it")
+        return {"Pixmap": icon, "MenuText": text, "ToolTip": tip}
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog()
+
+    def Activated(self):
+        FreeCADGui.Control.showDialog(CorePanel())
+
+
+def start():
+    """Registers the command; returns its name."""
+    FreeCADGui.addCommand(NAME, InstallCore())
+    return NAME
+
+
+def show_if_idle():
+    """Opens the panel when the workbench is shown, unless something else is being done."""
+    if core_loader.why_absent() and not FreeCADGui.Control.activeDialog():
+        FreeCADGui.Control.showDialog(CorePanel())

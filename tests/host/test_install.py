@@ -1,0 +1,170 @@
+"""A core that cannot be loaded is said in one sentence, and a document opened meanwhile keeps all it has.
+
+Each case runs in a FreeCAD of its own, on a copy of the module in which the core is replaced.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import glob
+import importlib.machinery
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import FreeCAD  # noqa: E402
+import patchmill  # noqa: E402
+from parts import job_on, tilted_box  # noqa: E402
+from patchmill.install import core_loader  # noqa: E402
+
+STAGE = next(p for p in sys.path if glob.glob(os.path.join(p, "_patchmill.*")))
+SUFFIX = importlib.machinery.EXTENSION_SUFFIXES[0]
+PROGRAM = os.environ.get("FREECADCMD", "freecadcmd")
+OPENED = """
+import FreeCAD
+document = FreeCAD.openDocument(%(file)r)
+op = document.getObject(%(name)r)
+print("path", op.Path.Size, type(op.Proxy).__name__)
+op.touch()
+document.recompute()
+print("computed", op.Path.Size)
+import patchmill
+try:
+    patchmill.recompute(op)
+except patchmill.InputError as error:
+    print("refused", error)
+document.saveAs(%(saved)r)
+op.Spacing = 0.75
+print("changed", op.Path.Size)
+"""
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.module = os.path.join(self.folder, "PatchMill")
+        os.makedirs(self.module)
+        for name in os.listdir(STAGE):
+            if not name.startswith(("_patchmill.", "core")):
+                os.symlink(os.path.realpath(os.path.join(STAGE, name)), os.path.join(self.module, name))
+
+    def run_script(self, text):
+        """(exit status, output) of a script in a FreeCAD with the copy of the module."""
+        script = os.path.join(self.folder, "script.py")
+        with open(script, "w", encoding="utf-8") as file:
+            file.write(text)
+        done = subprocess.run(
+            [PROGRAM, "-c", "exec(open(%r).read())" % script, "-M", self.module],
+            env=dict(os.environ, FREECAD_USER_HOME=os.path.join(self.folder, "home")),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            timeout=300,
+        )
+        return done.returncode, done.stdout
+
+    def reason(self, name=None, content=None):
+        """What is said with a file `name` in the core's place."""
+        if name:
+            with open(os.path.join(self.module, name), "wb") as file:
+                file.write(content)
+        status, text = self.run_script(
+            "from patchmill.install import core_loader\nprint('why:', core_loader.load())"
+        )
+        self.assertEqual(status, 0, text)
+        self.assertNotIn("Traceback", text)
+        return re.search("why: (.*)", text).group(1)
+
+
+class Core(Case):
+    def test_no_core(self):
+        python = "%d.%d" % sys.version_info[:2]
+        self.assertEqual(self.reason(), "the compiled core for Python %s is not installed" % python)
+
+    def test_core_of_another_python(self):
+        said = self.reason("_patchmill.cpython-36m-x86_64-linux-gnu.so", b"")
+        self.assertRegex(said, r"is built for Python 3\.6, and this FreeCAD has Python 3\.\d+$")
+
+    def test_broken_core(self):
+        self.assertIn("is broken", self.reason("_patchmill" + SUFFIX, b"\x7fELF and no more"))
+
+    def test_core_without_its_libraries(self):
+        missing = {"libTKernel.so.1.2": "needs another OpenCASCADE", "libodd.so.9": "the library"}
+        for library, said in missing.items():
+            self.assertIn(said, self.reason("_patchmill" + SUFFIX, needing(library, self.folder)))
+            self.assertIn(library, self.reason())
+
+    def test_core_of_another_version(self):
+        for version, said in (("0.1.0", "is of version 0.1.0"), ("", "is of an older version")):
+            with open(os.path.join(self.module, "_patchmill.py"), "w", encoding="utf-8") as file:
+                file.write("__version__ = %r\n" % version if version else "InputError = ValueError\n")
+            self.assertEqual(
+                self.reason(), "the compiled core %s, and PatchMill is %s" % (said, patchmill.__version__)
+            )
+            shutil.rmtree(os.path.join(self.module, "__pycache__"), ignore_errors=True)
+
+
+def needing(library, folder):
+    """The bytes of a core that wants a library that nobody has."""
+    empty, made = os.path.join(folder, library), os.path.join(folder, "made.so")
+    compiler = shutil.which("cc") or shutil.which("g++")
+    if not compiler:
+        raise unittest.SkipTest("no compiler here to make a library with")
+    build = [compiler, "-shared", "-x", "c", os.devnull]
+    subprocess.run([*build, "-Wl,-soname," + library, "-o", empty], check=True)
+    subprocess.run([*build, "-Wl,--no-as-needed", "-o", made, "-x", "none", empty], check=True)
+    os.remove(empty)
+    with open(made, "rb") as file:
+        return file.read()
+
+
+class Documents(Case):
+    def test_a_document_opened_without_the_core_keeps_everything(self):
+        document, op = job_on(*tilted_box())
+        patchmill.recompute(op)
+        size, before = op.Path.Size, op.Path.toGCode()
+        self.assertGreater(size, 100)
+        file = os.path.join(self.folder, "a.FCStd")
+        document.saveAs(file)
+        name, saved = op.Name, os.path.join(self.folder, "b.FCStd")
+        FreeCAD.closeDocument(document.Name)
+
+        status, text = self.run_script(OPENED % dict(file=file, name=name, saved=saved))
+        self.assertEqual(status, 0, text)
+        self.assertNotIn("Traceback", text)
+        self.assertIn("path %d Object" % size, text)
+        self.assertIn("computed %d" % size, text)
+        self.assertRegex(text, "is not computed: the compiled core for Python .* is not installed; ")
+        self.assertIn("refused PatchMill's core = not loaded: the compiled core", text)
+        self.assertIn("changed 0", text)  # what it was made from is another now
+
+        document = FreeCAD.openDocument(saved)
+        op = document.getObject(name)
+        self.assertEqual(op.Path.toGCode(), before)
+        patchmill.recompute(op)
+        self.assertEqual(op.Path.toGCode(), before)
+        FreeCAD.closeDocument(document.Name)
+
+
+class Version(unittest.TestCase):
+    def test_all_files_say_the_same_version(self):
+        source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+        with open(os.path.join(source, "CMakeLists.txt"), encoding="utf-8") as file:
+            built = re.search(r"project\(PatchMill VERSION (\S+)", file.read()).group(1)
+        tree = xml.etree.ElementTree.parse(os.path.join(source, "package.xml"))
+        package = next(e.text for e in tree.iter() if e.tag.split("}")[-1] == "version")
+        self.assertEqual([built, package], [patchmill.__version__] * 2)
+        self.assertEqual(core_loader.why_absent(), "")
+
+
+if __name__ == "__main__":
+    result = unittest.main(exit=False, verbosity=2).result
+    sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
