@@ -4,6 +4,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import ast
+import functools
 import pathlib
 import re
 import sys
@@ -13,6 +14,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGES = {"patchmill": ROOT / "src" / "patchmill", "patchmill_gui": ROOT / "Gui" / "patchmill_gui"}
 MOST_FILES = 12
+MOST_FLOORS = 6  # of src/patchmill: modules over each other, each importing the one below
 
 
 def modules_of(package, folder):
@@ -65,6 +67,16 @@ def circle(used):
         ordered |= more
 
 
+def floors(used):
+    """How many modules stand over each other at most, a module alone being one. There must be no circle."""
+
+    @functools.lru_cache(None)
+    def height(name):
+        return 1 + max((height(other) for other in used[name]), default=0)
+
+    return max(map(height, used))
+
+
 def full_folders(root, most=MOST_FILES):
     """Folders with more Python or C++ files than `most`: a list of texts."""
     found = []
@@ -83,6 +95,9 @@ class Folders(unittest.TestCase):
     def test_modules_form_no_circle(self):
         for package, folder in PACKAGES.items():
             self.assertEqual(circle(imports(package, folder)), [])
+
+    def test_at_most_six_floors(self):
+        self.assertLessEqual(floors(imports("patchmill", PACKAGES["patchmill"])), MOST_FLOORS)
 
     def test_folders_form_no_circle(self):
         for package, folder in PACKAGES.items():
@@ -109,6 +124,7 @@ class Folders(unittest.TestCase):
             used = imports("p", root)
             self.assertEqual(circle(used), ["p.a.x", "p.b.x", "p.free"])
             self.assertEqual(circle(folder_imports("p", used)), ["a", "b"])
+            self.assertEqual(floors({"a": set(), "b": {"a"}, "c": {"b", "a"}}), 3)
             self.assertEqual(full_folders(root, 1), ["a: 2 files", "b: 2 files"])
 
 

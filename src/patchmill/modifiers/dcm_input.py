@@ -10,8 +10,8 @@ import _patchmill as core
 from _patchmill import InputError
 
 from patchmill.freecad import host, made_from, tool_controller
+from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.machine import machines
-from patchmill.operations.texture_operation import ObjectTexture
 from patchmill.voxels import removal_model
 
 INFINITE = float("inf")
@@ -51,7 +51,7 @@ def input_of(obj):
     job = made_from.job_of(obj)
     feed, posture = obj.Controls != "Posture", obj.Controls != "Feed"
     operation = _operation(obj)
-    if isinstance(operation.Proxy, ObjectTexture):
+    if kind_of(operation) == TEXTURE:
         raise InputError(
             "Base",
             operation.Label,

@@ -11,7 +11,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill.freecad import absent_core, hooks, host, made_from
+from patchmill.freecad import absent_core, hooks, host, kinds, made_from
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from patchmill.modifiers import dcm
 from patchmill.operations.base import forget_dressups, not_computed
@@ -101,6 +101,7 @@ class DressupDCM:
     __module__ = "patchmill.dressup_dcm"  # what documents save
 
     RESULT = "result"
+    KIND = kinds.DCM
     model = result = error = ready = None
     _opened = False
 

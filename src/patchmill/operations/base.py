@@ -7,6 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 from _patchmill import InputError
 
 from patchmill.freecad import absent_core, hooks, host, made_from, tool_controller
+from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.install import core_loader
 from patchmill.properties import property_table
 
@@ -152,6 +153,16 @@ def made(obj):
     if result is None:
         raise not_computed(obj)
     return result
+
+
+def planned(obj):
+    """The PlannedTexture of an operation, recomputing it if the document was just opened.
+    Raises InputError with the reason if there is none, or if it is no texture."""
+    if kind_of(obj) != TEXTURE:
+        raise InputError("Operation", getattr(obj, "Label", repr(obj)), "choose a texture operation.")
+    if obj.Proxy.planned is None and obj.Proxy.error is None:
+        return recompute(obj)
+    return made(obj)
 
 
 def not_computed(obj):

@@ -15,7 +15,7 @@ import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill.freecad import host
+from patchmill.freecad import host, kinds
 from patchmill.operations.base import BallEndOperation, create, setup_properties
 from patchmill.operations.base import recompute  # noqa: F401  for macros: it returns the ToolPath
 from patchmill.operations.copy_input import MODES, PASSES, UNDERCUTS, CopyInput, input_of
@@ -49,6 +49,7 @@ class ObjectCopyMilling(BallEndOperation):
     __module__ = "patchmill.copy_milling"  # what documents save
 
     RESULT = "path"
+    KIND = kinds.COPY_MILLING
     path = ready = None
 
     @classmethod

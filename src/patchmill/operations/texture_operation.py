@@ -15,8 +15,9 @@ import Part
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill.freecad import host, made_from, tool_controller
-from patchmill.operations.base import BallEndOperation, made, recompute
+from patchmill.freecad import host, kinds, made_from, tool_controller
+from patchmill.operations.base import BallEndOperation
+from patchmill.operations.base import planned, recompute  # noqa: F401  for macros
 from patchmill.properties.texture_properties import PROPERTIES
 from patchmill.properties.texture_results import RESULTS, show_results
 from patchmill.textures.masks import MaskInput, curve_loops
@@ -54,11 +55,12 @@ class ObjectTexture(BallEndOperation):
     OWN_PROPERTIES."""
 
     RESULT = "planned"
+    KIND = kinds.TEXTURE
     SURFACE = None
     CALIBRATING = False
     OWN_PROPERTIES = []
     OWN_RESULTS = []
-    planned = ready = None
+    planned = ready = None  # noqa: F811
     posture_field = None  # instead of PostureField: (positions, normals) -> (n, 3) axes; not saved
 
     @classmethod
@@ -168,13 +170,3 @@ def _tool(controller):
     if flutes < 1:
         raise InputError("Flutes", flutes, "set the number of flutes of the tool bit.")
     return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, flutes)
-
-
-def planned(obj):
-    """The PlannedTexture of an operation, recomputing it if the document was just opened.
-    Raises InputError with the reason if there is none, or if it is no texture."""
-    if not isinstance(getattr(obj, "Proxy", None), ObjectTexture):
-        raise InputError("Operation", getattr(obj, "Label", repr(obj)), "choose a texture operation.")
-    if obj.Proxy.planned is None and obj.Proxy.error is None:
-        return recompute(obj)
-    return made(obj)

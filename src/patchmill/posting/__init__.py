@@ -16,8 +16,9 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.freecad import host, post_probe
+from patchmill.freecad.kinds import TEXTURE, kind_of
+from patchmill.operations.base import planned
 from patchmill.operations.copy_input import UNDERCUTS
-from patchmill.operations.texture_operation import ObjectTexture, planned
 from patchmill.textures import strategies, tool_posture
 from patchmill.verify import checks, posted_milling
 
@@ -48,7 +49,7 @@ def post(job, filename, post_name=None, arguments=None):
     if not post_name:
         raise InputError("PostProcessor", "''", "choose a post-processor for the job.")
     operations = _active_operations(job)
-    textures = [op for op in operations if isinstance(op.Proxy, ObjectTexture)]
+    textures = [op for op in operations if kind_of(op) == TEXTURE]
     plans = [planned(op) for op in textures]
     for op, plan in zip(textures, plans):
         _check_verdict(op, plan)
@@ -91,7 +92,7 @@ def _active_operations(job):
                 raise error
             if "Invalid" in part.State:
                 raise InputError(part.Label, "invalid", "repair the operation before posting.")
-            if part is not op and isinstance(part.Proxy, ObjectTexture):
+            if part is not op and kind_of(part) == TEXTURE:
                 remedy = "it would change a texture's path, which is its timing: take it away."
                 raise InputError(op.Label, part.Label, remedy)
             if getattr(part, "Mode", "") == UNDERCUTS and posted_milling.posture_of(op) is None:

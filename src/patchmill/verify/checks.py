@@ -19,6 +19,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.freecad import host
+from patchmill.operations.base import planned
 
 CLEAR, VIOLATED, UNKNOWN = "clear", "violated", "unknown"
 MOST_FINDINGS = 1000
@@ -134,8 +135,6 @@ class CheckInput:
 def check_input(operation):
     """CheckInput of a texture operation. Raises InputError naming GougeTolerance, StickOut or what a plan
     cannot be made from."""
-    from patchmill.operations.texture_operation import planned
-
     plan = planned(operation)
     tolerance = operation.GougeTolerance.Value
     if not tolerance > 0.0:

@@ -12,8 +12,7 @@ import FreeCAD
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.modifiers.dressup_dcm import DressupDCM
-from patchmill.operations.copy_milling import ObjectCopyMilling
+from patchmill.freecad.kinds import COPY_MILLING, DCM, kind_of
 
 AXES = "XYZABC"
 MOVES = {"G0": False, "G00": False, "G1": True, "G01": True}  # whether it cuts
@@ -39,12 +38,12 @@ def with_those_under(op):
 
 def is_milling(op):
     """Whether an operation or dressup of a job is read back here: it or what is under it is ours."""
-    return any(isinstance(part.Proxy, (ObjectCopyMilling, DressupDCM)) for part in with_those_under(op))
+    return any(kind_of(part) in (COPY_MILLING, DCM) for part in with_those_under(op))
 
 
 def posture_of(op):
     """The DressupDCM that tilts the tool, `op` or under it; None for an upright path."""
-    found = (part for part in with_those_under(op) if isinstance(part.Proxy, DressupDCM))
+    found = (part for part in with_those_under(op) if kind_of(part) == DCM)
     return next((dressup for dressup in found if dressup.Controls != "Feed"), None)
 
 

@@ -18,6 +18,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
+from patchmill.operations.base import planned
 from patchmill.textures.plan import PlannedTexture
 from patchmill.verify.simulated_motion import motion_of
 from patchmill.verify.simulated_texture import SimulatedTexture
@@ -141,8 +142,6 @@ def _alignment_of_sector(plan, places):
 def _plan_of(texture):
     if isinstance(texture, PlannedTexture):
         return texture
-    from patchmill.operations.texture_operation import planned
-
     return planned(texture)
 
 
