@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
-#include "bindings/voxel_materials.h"
+#include "bindings/voxel/voxel_materials.h"
 #include "core/copy/chosen_faces.h"
 #include "core/copy/copy_milling.h"
 #include "core/copy/live_session.h"

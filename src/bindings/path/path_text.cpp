@@ -1,6 +1,6 @@
 // Cutting a text into parts at ends of lines; see path_text.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bindings/path_text.h"
+#include "bindings/path/path_text.h"
 
 namespace patchmill {
 

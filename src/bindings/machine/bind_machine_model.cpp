@@ -1,7 +1,7 @@
 // Motion model, paced paths, verdicts and calibration for Python. Angles in radians.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "bindings/path_text.h"
+#include "bindings/path/path_text.h"
 #include "core/geometry/error.h"
 #include "core/machine/motion_model.h"
 #include "core/machine/rs274_text.h"

@@ -1,7 +1,7 @@
 // G-code reading and writing, and FreeCAD text, for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "bindings/path_text.h"
+#include "bindings/path/path_text.h"
 #include "core/machine/freecad_text.h"
 #include "core/machine/gcode_reader.h"
 #include "core/machine/program_writer.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
-#include "bindings/path_text.h"
+#include "bindings/path/path_text.h"
 #include "core/machine/gcode_reader.h"
 #include "core/machine/rs274_text.h"
 #include "core/sync/phase_rule.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
-#include "bindings/voxel_materials.h"
+#include "bindings/voxel/voxel_materials.h"
 #include "brep/read_shape.h"
 #include "brep/tessellate.h"
 #include "core/dcm/field_reader.h"
