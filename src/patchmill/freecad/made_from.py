@@ -12,6 +12,7 @@ from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 
 NAME = "MadeFrom"
 HIDDEN = 2  # FreeCAD's editor mode
+SORTS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes"}  # of elements: the lists of a shape
 
 
 def add(obj):
@@ -47,15 +48,47 @@ def job_of(obj):
     return job
 
 
-def face_of(base, name, remedy):
-    """The face `name` of an object that is named in Base. Raises InputError naming Base: with `remedy` for
-    what is no face, and for a face that the object has no more, whose name FreeCAD 1.1 marks with '?'."""
-    plain = name.lstrip("?")
-    if not plain.startswith("Face"):
-        raise InputError("Base", "%s of %s" % (plain, base.Label) if plain else base.Label, remedy)
-    if name != plain or int(plain[len("Face") :]) > len(base.Shape.Faces):
-        raise InputError("Base", "%s of %s" % (plain, base.Label), "it is gone: choose a face again.")
-    return base.Shape.getElement(plain)
+def faces_of(base, names, remedy):
+    """The faces of an object that are named in Base, in that order. Raises InputError naming Base: with
+    `remedy` for what is no face, and for a face that the object has no more, whose name FreeCAD 1.1 marks
+    with '?'. The shape is asked once: FreeCAD walks through all of it for each face that it looks up."""
+    faces = base.Shape.Faces
+    found = []
+    for name in names:
+        plain = name.lstrip("?")
+        if not plain.startswith("Face"):
+            raise InputError("Base", "%s of %s" % (plain, base.Label) if plain else base.Label, remedy)
+        digits = plain[len("Face") :]
+        number = int(digits) if digits.isdigit() else 0
+        if name != plain or not 1 <= number <= len(faces):
+            raise InputError("Base", "%s of %s" % (plain, base.Label), "it is gone: choose a face again.")
+        found.append(faces[number - 1])
+    return found
+
+
+def first_gone(shape, names):
+    """The first of the names of faces, edges and so on that the shape has no more; None if it has all. Asks
+    the shape once for each sort, as faces_of does."""
+    counts = {}
+    for name in names:
+        sort = name.rstrip("0123456789")
+        if sort in SORTS and sort != name:
+            if sort not in counts:
+                counts[sort] = len(getattr(shape, SORTS[sort]))
+            has = 1 <= int(name[len(sort) :]) <= counts[sort]
+        else:
+            has = not name or _has_element(shape, name)
+        if not has:
+            return name
+    return None
+
+
+def _has_element(shape, name):
+    try:
+        shape.getElement(name)
+    except Exception:  # FreeCAD's versions raise errors of different kinds
+        return False
+    return True
 
 
 def _has_shape(thing):

@@ -83,28 +83,33 @@ class BallEndOperation(host.PathOp.ObjectOp):
             if name in ("SafeHeight", "ClearanceHeight"):
                 setattr(obj, name, obj.evalExpression(expression))
 
+    def updateDepths(self, obj, ignoreErrors=False):
+        """As ObjectOp.updateDepths for operations without depths of their own; but that one looks every face
+        up in its shape, in a time that grows with the square of their number. The box of a shape holds those
+        of its faces."""
+        if not self._setBaseAndStock(obj, ignoreErrors):
+            return
+        box = self.stock.Shape.BoundBox
+        obj.OpStockZMin, obj.OpStockZMax = box.ZMin, box.ZMax
+        start = max([box.ZMax] + [base.Shape.BoundBox.ZMax for base, _ in obj.Base])
+        if obj.StartDepth.Value != start:
+            obj.StartDepth = start
+        self.opUpdateDepths(obj)
+
     def sanitizeBase(self, obj):
         """Called by ObjectOp.execute, whose own would clear Base if one of its faces is gone, and go on: an
         operation that then takes all of the part would mill what nobody chose."""
         for base, names in obj.Base:
-            for name in names:
-                if name and not _has(base.Shape, name):
-                    remedy = "it is gone: choose the faces again."
-                    raise InputError("Base", "%s of %s" % (name, base.Label), remedy)
+            name = made_from.first_gone(base.Shape, names)
+            if name is not None:
+                remedy = "it is gone: choose the faces again."
+                raise InputError("Base", "%s of %s" % (name, base.Label), remedy)
         return False
 
     def forget(self):
         """As if it had never been executed."""
         self.error = None
         setattr(self, self.RESULT, None)
-
-
-def _has(shape, name):
-    try:
-        shape.getElement(name)
-    except Exception:  # FreeCAD's versions raise errors of different kinds
-        return False
-    return True
 
 
 def forget_dressups(obj):

@@ -77,8 +77,10 @@ def input_of(obj):
 
 def _faces(obj):
     """The faces in Base. Raises InputError if there is anything else."""
-    chosen = [(base, name) for base, names in obj.Base for name in names if name]
-    return [made_from.face_of(base, name, "choose faces, or nothing.") for base, name in chosen]
+    faces = []
+    for base, names in obj.Base:
+        faces += made_from.faces_of(base, [name for name in names if name], "choose faces, or nothing.")
+    return faces
 
 
 def _compound(faces):

@@ -156,9 +156,8 @@ def _mask(obj):
 def _face_breps(obj):
     faces = {}  # by object: faces in one text keep the edges that they share, which are no borders
     for base, names in obj.Base:
-        for name in names:
-            face = made_from.face_of(base, name, "select faces, nothing else.")
-            faces.setdefault(base.Name, []).append(face)
+        found = made_from.faces_of(base, names, "select faces, nothing else.")
+        faces.setdefault(base.Name, []).extend(found)
     if not faces:
         raise InputError("Base", "nothing", "select at least one face of the job's model.")
     return [Part.Compound(found).exportBrepToString() for found in faces.values()]
