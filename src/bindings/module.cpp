@@ -50,27 +50,43 @@ Progress progress_of(const py::object& callable) {
   };
 }
 
+namespace {
+
+using Bind = void (*)(py::module_&);
+
+/// Makes the submodule of a subject. Its names are names of the module itself, too: `_patchmill.ToolPath` is
+/// `_patchmill.path.ToolPath`.
+void subject(py::module_& module, const char* name, const char* text,
+             std::initializer_list<Bind> binds) {
+  py::module_ part = module.def_submodule(name, text);
+  for (const Bind bind : binds) bind(part);
+  for (const auto& [key, value] : part.attr("__dict__").cast<py::dict>())
+    if (key.cast<std::string>().rfind("__", 0) != 0) module.attr(key) = value;
+}
+
+}  // namespace
+
 }  // namespace patchmill
 
 PYBIND11_MODULE(_patchmill, m) {
+  using namespace patchmill;
   m.attr("__version__") = PATCHMILL_VERSION;
-  m.doc() = "PatchMill's core: patches, phase, marks. mm, s, radians, revolutions per second.";
-  patchmill::bind_errors(m);
-  patchmill::bind_threads(m);
-  patchmill::bind_path(m);
-  patchmill::bind_patch(m);
-  patchmill::bind_brep(m);
-  patchmill::bind_texture(m);
-  patchmill::bind_matsuda(m);
-  patchmill::bind_sync(m);
-  patchmill::bind_machine(m);
-  patchmill::bind_kinematics(m);
-  patchmill::bind_machine_model(m);
-  patchmill::bind_postures(m);
-  patchmill::bind_scene(m);
-  patchmill::bind_dcm(m);
-  patchmill::bind_dcm_path(m);
-  patchmill::bind_voxel_attributes(m);
-  patchmill::bind_marks(m);
-  patchmill::bind_checks(m);
+  m.doc() =
+      "PatchMill's core, a submodule for each subject. mm, s, radians, revolutions per second.";
+  bind_errors(m);
+  bind_threads(m);
+  subject(m, "path", "Tools, spindles and tool paths.", {bind_path});
+  subject(m, "patch", "Patches, lattices, masks and sizes of textures.",
+          {bind_patch, bind_texture});
+  subject(m, "brep", "Points and borders of faces.", {bind_brep});
+  subject(m, "machine", "Machines: axes, joints, motion, programs that are written and read.",
+          {bind_machine, bind_kinematics, bind_machine_model});
+  subject(m, "sync", "Phases of the spindle, free forms, postures of the tool.",
+          {bind_matsuda, bind_sync, bind_postures});
+  subject(m, "scene", "What displays show.", {bind_scene});
+  subject(m, "dcm", "Dynamic contour milling and copy milling.", {bind_dcm, bind_dcm_path});
+  subject(m, "voxel", "What voxels hold: materials, feeds, postures, kinds.",
+          {bind_voxel_attributes});
+  subject(m, "marks", "Marks that a moved cutter leaves, and how they lie.", {bind_marks});
+  subject(m, "collision", "Gouges and collisions of a tool along a path.", {bind_checks});
 }
