@@ -82,12 +82,9 @@ DimpleChunk chunk_of(const std::vector<const Dimple*>& dimples, std::size_t firs
 
 InventorNode node_of(const DimpleChunk& chunk) {
   const auto count = static_cast<float>(chunk.points.size());
-  InventorNode detail("LevelOfDetail");
-  detail.numbers("screenArea", {kPixelsOfDisc * count, kPixelsOfPoint * count});
-  detail.child(triangle_node(chunk.discs));
-  detail.child(point_node(chunk.points, chunk.colours, 3.0f));
-  detail.child(point_node(chunk.few_points, chunk.few_colours, 3.0f));
-  return InventorNode("Separator").child(detail);
+  return detail_node({kPixelsOfDisc * count, kPixelsOfPoint * count},
+                     {triangle_node(chunk.discs), point_node(chunk.points, chunk.colours, 3.0f),
+                      point_node(chunk.few_points, chunk.few_colours, 3.0f)});
 }
 
 /// An arrowhead at `tip`, coming from `tail`, in the tangent plane.

@@ -20,6 +20,9 @@ constexpr std::size_t kCells = 128;  // cells along the side of a chunk
 // Strides of the copies, and the pixels of the screen over which the finer one is drawn.
 constexpr std::array<std::size_t, 4> kStrides{1, 2, 4, 16};
 constexpr std::array<float, 3> kPixels{200000.0f, 50000.0f, 6000.0f};
+// Steps of a depth buffer of 24 bits: 0.6 % of the view's depth, as much as the host's triangles of a bent face
+// stand off it when they are coarse.
+constexpr float kNearer = -1.0e5f;
 
 /// Rows (or columns) of a chunk from `first` to `last`, both included, every `stride`.
 std::vector<std::size_t> picked(std::size_t first, std::size_t last, std::size_t stride) {
@@ -100,15 +103,21 @@ GridChunk chunk_of(const Grid& grid, std::size_t row, std::size_t column) {
 }
 
 InventorNode node_of(const GridChunk& chunk) {
-  InventorNode hints("ShapeHints"), material("Material"), detail("LevelOfDetail");
+  InventorNode hints("ShapeHints"), material("Material"), nearer("PolygonOffset");
   hints.name("vertexOrdering", "COUNTERCLOCKWISE")
       .name("shapeType", "UNKNOWN_SHAPE_TYPE")
       .name("faceType", "CONVEX");
   // matt: a highlight would look like a height
   material.points("specularColor", {Point3f{}});
-  detail.numbers("screenArea", {kPixels.begin(), kPixels.end()});
-  for (const GridCopy& copy : chunk) detail.child(node_of(copy));
-  return InventorNode("Separator").child(hints).child(material).child(detail);
+  // than the host's own, coarser triangles of the same face
+  nearer.number("factor", -1.0f).number("units", kNearer);
+  std::vector<InventorNode> copies;
+  for (const GridCopy& copy : chunk) copies.push_back(node_of(copy));
+  return InventorNode("Separator")
+      .child(hints)
+      .child(material)
+      .child(nearer)
+      .child(detail_node({kPixels.begin(), kPixels.end()}, copies));
 }
 
 }  // namespace

@@ -66,4 +66,14 @@ InventorNode triangle_node(const Triangles& triangles) {
   return separator;
 }
 
+InventorNode detail_node(const std::vector<float>& areas,
+                         const std::vector<InventorNode>& children) {
+  InventorNode detail("LevelOfDetail"), contents("Separator"), kit("WrapperKit");
+  detail.numbers("screenArea", areas);
+  for (const InventorNode& child : children) detail.child(child);
+  contents.child(detail);
+  kit.node("contents", contents);
+  return kit;
+}
+
 }  // namespace patchmill::scene
