@@ -19,7 +19,7 @@ import unittest
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from harness import controller, phase, table  # noqa: E402
+from harness import controller, load, phase, table  # noqa: E402
 
 FLUTES, SENSE = 2, -1
 MICROMETRE = 1e-3
@@ -88,12 +88,16 @@ class TipInWork(unittest.TestCase):
 
     def check(self, *case, **options):
         with self.subTest(case=case, **options):
-            result = run(*case, **options)
-            print('%s %s: tip within %.3f um, C from %.1f to %.1f degrees'
-                  % (case, options, result.miss.max() / MICROMETRE, result.log.rotary[:, 1].min(),
-                     result.log.rotary[:, 1].max()))
-            self.assertLessEqual(result.miss.max(), 2 * MICROMETRE)
-            self.assertGreater(numpy.ptp(result.rotary[:, 1]), 20.0)
+            self.check_tip(case, options)
+
+    @load.told_from_load
+    def check_tip(self, case, options):
+        result = run(*case, **options)
+        print('%s %s: tip within %.3f um, C from %.1f to %.1f degrees'
+              % (case, options, result.miss.max() / MICROMETRE, result.log.rotary[:, 1].min(),
+                 result.log.rotary[:, 1].max()))
+        self.assertLessEqual(result.miss.max(), 2 * MICROMETRE)
+        self.assertGreater(numpy.ptp(result.rotary[:, 1]), 20.0)
 
     def test_axes_turning_on_every_move(self):
         for kind in ('ac', 'bc'):
@@ -114,17 +118,21 @@ class FormsAgree(unittest.TestCase):
     def test_joints(self):
         for kind in ('ac', 'bc'):
             with self.subTest(kind=kind):
-                # constant feed stops at every vertex: the ends of moves can be compared
-                tcp = run(kind, 'tcp', strategy='constant', side=8)
-                pivot = run(kind, 'pivot', strategy='constant', side=8, chord=0.0005, clear=0.0005)
-                linear = numpy.linalg.norm(tcp.joints - pivot.joints, axis=1).max()
-                rotary = abs(tcp.rotary - pivot.rotary).max()
-                along = self.farthest(tcp, pivot)
-                print('%s: at the dimples %.3f um, %.5f degrees; on the way %.3f um'
-                      % (kind, linear / MICROMETRE, rotary, along / MICROMETRE))
-                self.assertLessEqual(linear, 2 * MICROMETRE)
-                self.assertLessEqual(rotary, 1e-3)
-                self.assertLessEqual(along, 2 * MICROMETRE)
+                self.check(kind)
+
+    @load.told_from_load
+    def check(self, kind):
+        # constant feed stops at every vertex: the ends of moves can be compared
+        tcp = run(kind, 'tcp', strategy='constant', side=8)
+        pivot = run(kind, 'pivot', strategy='constant', side=8, chord=0.0005, clear=0.0005)
+        linear = numpy.linalg.norm(tcp.joints - pivot.joints, axis=1).max()
+        rotary = abs(tcp.rotary - pivot.rotary).max()
+        along = self.farthest(tcp, pivot)
+        print('%s: at the dimples %.3f um, %.5f degrees; on the way %.3f um'
+              % (kind, linear / MICROMETRE, rotary, along / MICROMETRE))
+        self.assertLessEqual(linear, 2 * MICROMETRE)
+        self.assertLessEqual(rotary, 1e-3)
+        self.assertLessEqual(along, 2 * MICROMETRE)
 
     @staticmethod
     def farthest(one, other, every=7):
@@ -146,16 +154,20 @@ class FormsAgree(unittest.TestCase):
 class PhaseWithCTurning(unittest.TestCase):
     def check(self, kind, form, acceleration, velocity, **options):
         with self.subTest(kind=kind, form=form, acceleration=acceleration, velocity=velocity, **options):
-            result = run(kind, form, acceleration, velocity, **options)
-            print('%s %s %d mm/s², %d mm/s %s: rms %.2f°, largest %.2f°, %.3f turns per dimple'
-                  % (kind, form, acceleration, velocity, options or '', result.rms, result.largest,
-                     result.turns))
-            rms, largest, with_tcp, without = BOUNDS[acceleration]
-            self.assertLessEqual(result.rms, rms)
-            self.assertLessEqual(result.largest, largest)
-            self.assertLessEqual(result.turns, with_tcp if form == 'tcp' else without)
-            self.assertLessEqual(result.azimuth_off, 1e-3)
-            self.assertGreater(numpy.ptp(result.rotary[:, 1]), 20.0)
+            self.check_phase(kind, form, acceleration, velocity, options)
+
+    @load.told_from_load
+    def check_phase(self, kind, form, acceleration, velocity, options):
+        result = run(kind, form, acceleration, velocity, **options)
+        print('%s %s %d mm/s², %d mm/s %s: rms %.2f°, largest %.2f°, %.3f turns per dimple'
+              % (kind, form, acceleration, velocity, options or '', result.rms, result.largest,
+                 result.turns))
+        rms, largest, with_tcp, without = BOUNDS[acceleration]
+        self.assertLessEqual(result.rms, rms)
+        self.assertLessEqual(result.largest, largest)
+        self.assertLessEqual(result.turns, with_tcp if form == 'tcp' else without)
+        self.assertLessEqual(result.azimuth_off, 1e-3)
+        self.assertGreater(numpy.ptp(result.rotary[:, 1]), 20.0)
 
     def test_one_patch(self):
         for acceleration in BOUNDS:
@@ -180,4 +192,4 @@ class PhaseWithCTurning(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    unittest.main()
+    load.main()

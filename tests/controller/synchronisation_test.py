@@ -14,7 +14,7 @@ import unittest
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from harness import controller, phase  # noqa: E402
+from harness import controller, load, phase  # noqa: E402
 from harness.case import Case, FLUTES, SENSE, SPACING, run  # noqa: E402
 
 PERIOD = 1e-3
@@ -23,7 +23,10 @@ BOUNDS = {500: (3.0, 9.0, 1.3, 0.03), 2000: (2.0, 6.0, 0.9, 0.03), 10000: (1.5, 
 
 
 class SpindleLocked(unittest.TestCase):
-    def check(self, case):
+    @load.told_from_load
+    def check(self, case, *further):
+        """Runs a case and holds it against the bounds and `further` checks of (result, bound of the
+        place)."""
         result = run(case)
         rms, largest, turns, place = BOUNDS[case.acceleration]
         report = result.report
@@ -31,24 +34,34 @@ class SpindleLocked(unittest.TestCase):
         self.assertLessEqual(report.largest, largest)
         self.assertLessEqual(report.turns_per_dimple, turns)
         self.assertLessEqual(report.miss.max(), 1e-3)
-        return result, place
+        for check in further:
+            check(result, place)
+
+    def in_place(self, result, place):
+        self.assertLessEqual(result.places().rms, place * SPACING)
+
+    def in_time(self, result, _):
+        """The model's times beside the log."""
+        self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+
+    def four_patches(self, result, _):
+        self.assertEqual(len(set(result.targets.patch)), 4)
+
+    def no_other_mark(self, result, _):
+        self.assertEqual(result.unwanted_marks(), [])
 
     def test_one_patch(self):
         for acceleration in BOUNDS:
             for velocity in (100, 300):
                 with self.subTest(acceleration=acceleration, velocity=velocity):
-                    result, place = self.check(Case('locked', acceleration, velocity))
-                    self.assertLessEqual(result.places().rms, place * SPACING)
-                    # the model's times beside the log
-                    self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+                    self.check(Case('locked', acceleration, velocity), self.in_place, self.in_time)
 
     def test_four_patches_with_links(self):
         for acceleration in BOUNDS:
             for velocity in (100, 300):
                 with self.subTest(acceleration=acceleration, velocity=velocity):
-                    result, place = self.check(Case('locked', acceleration, velocity, 4))
-                    self.assertEqual(len(set(result.targets.patch)), 4)
-                    self.assertLessEqual(result.places().rms, place * SPACING)
+                    case = Case('locked', acceleration, velocity, 4)
+                    self.check(case, self.four_patches, self.in_place)
 
     def test_spindle_one_percent_off(self):
         for ratio in (0.99, 1.01):
@@ -59,29 +72,37 @@ class SpindleLocked(unittest.TestCase):
     def test_no_tooth_marks_between_rows(self):
         for acceleration in (2000, 10000):
             with self.subTest(acceleration=acceleration):
-                result, _ = self.check(Case('locked', acceleration))
-                self.assertEqual(result.unwanted_marks(), [])
+                self.check(Case('locked', acceleration), self.no_other_mark)
 
 
 class ConstantFeed(unittest.TestCase):
+    @load.told_from_load
+    def check_zigzag(self, acceleration):
+        result = run(Case('constant', acceleration))
+        self.assertGreater(result.report.rms, 30.0)
+        # every move stops: the model knows each time to one interpolation period
+        self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+
+    @load.told_from_load
+    def check_fitted(self, acceleration):
+        result = run(Case('constant', acceleration, options={'fit': 1}))
+        self.assertLessEqual(result.report.rms, 4.0)
+        self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+
     def test_zigzag_is_lost_as_predicted(self):
         for acceleration in BOUNDS:
             with self.subTest(acceleration=acceleration):
-                result = run(Case('constant', acceleration))
-                self.assertGreater(result.report.rms, 30.0)
-                # every move stops: the model knows each time to one interpolation period
-                self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+                self.check_zigzag(acceleration)
 
     def test_legs_fitted_to_the_stops_hold(self):
         """Open loop: a servo period is 6 degrees of spindle, half of it is the best there is."""
         for acceleration in BOUNDS:
             with self.subTest(acceleration=acceleration):
-                result = run(Case('constant', acceleration, options={'fit': 1}))
-                self.assertLessEqual(result.report.rms, 4.0)
-                self.assertLessEqual(abs(result.time_difference()).max(), PERIOD)
+                self.check_fitted(acceleration)
 
 
 class Calibration(unittest.TestCase):
+    @load.told_from_load
     def test_best_mark_gives_the_start_phase(self):
         """Each dimple is asked for 1 degree more; the mark that is at its place tells the phase."""
         result = run(Case('locked', 2000, options={'step': 1}))
@@ -121,14 +142,71 @@ class Calibration(unittest.TestCase):
         return numpy.array(found)
 
 
+def log_of(speed):
+    """A log of a tool that goes along X at the given speeds, mm/s, one for each period."""
+    x = numpy.concatenate([[0.0], numpy.cumsum(numpy.asarray(speed) * PERIOD)])
+    tip = numpy.column_stack([x, 0 * x, 0 * x])
+    time = PERIOD * numpy.arange(len(x))
+    return controller.Log(time, tip, 0 * x, 0 * x, 0)
+
+
+class LoadOrFault(unittest.TestCase):
+    """load.told_from_load, with logs as from runs."""
+
+    STEADY = numpy.full(2000, 50.0)
+    BRAKED = numpy.where(numpy.arange(2000) % 100 < 20, 10.0, 50.0)
+
+    def outcome(self, *attempts):
+        """What becomes of a check whose attempts run with these speeds and have these findings."""
+        given = list(attempts)
+
+        @load.told_from_load
+        def check():
+            speed, finding = given.pop(0)
+            if speed is not None:
+                load.note(log_of(speed))
+            if isinstance(finding, Exception):
+                raise finding
+            return finding
+
+        try:
+            return check(), len(attempts) - len(given)
+        except (AssertionError, unittest.SkipTest) as end:
+            return type(end), len(attempts) - len(given)
+
+    def test_a_fault_fails_however_slow(self):
+        wrong = AssertionError('phase')
+        self.assertEqual(self.outcome((self.STEADY, wrong), (self.STEADY, wrong)), (AssertionError, 2))
+        self.assertEqual(self.outcome((None, wrong)), (AssertionError, 1))  # no run that load could change
+
+    def test_a_wait_for_the_spindle_is_no_difference(self):
+        wrong = AssertionError('phase')
+        waited = numpy.concatenate([numpy.zeros(300), self.STEADY])
+        self.assertEqual(self.outcome((self.STEADY, wrong), (waited, wrong)), (AssertionError, 2))
+
+    def test_braking_that_is_gone_when_slower_was_load(self):
+        wrong = AssertionError('phase')
+        self.assertEqual(self.outcome((self.BRAKED, wrong), (self.STEADY, 'held')), ('held', 2))
+        shifted = numpy.roll(self.BRAKED, 50)
+        found = self.outcome((self.BRAKED, wrong), (shifted, wrong), (self.STEADY, 'held'))
+        self.assertEqual(found, ('held', 3))
+
+    def test_what_never_agrees_is_unknown(self):
+        wrong, never = AssertionError('phase'), controller.TooFast('never began')
+        found = self.outcome((self.BRAKED, wrong), (numpy.roll(self.BRAKED, 50), wrong), (self.STEADY, wrong))
+        self.assertEqual(found, (unittest.SkipTest, 3))
+        self.assertEqual(self.outcome((None, never), (None, never), (None, never)), (unittest.SkipTest, 3))
+        self.assertEqual(self.outcome((None, never), (self.STEADY, 'held')), ('held', 2))
+
+
 class Harness(unittest.TestCase):
     def test_ends_in_time_and_leaves_nothing(self):
         with tempfile.TemporaryDirectory() as folder:
             program = pathlib.Path(folder) / 'wait.ngc'
             program.write_text('G4 P100000\nM2\n', encoding='ascii')
             before = self.processes()
-            with self.assertRaises(controller.ControllerError):
-                controller.run(program, limit=5.0)
+            with self.assertRaisesRegex(controller.TooFast, 'not done'):
+                controller.run_once(program, controller.Machine(), 20.0, 5.0)
             self.assertEqual(self.processes() - before, set())
 
     def test_reports_the_controllers_words(self):
@@ -152,4 +230,4 @@ class Harness(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    unittest.main()
+    load.main()

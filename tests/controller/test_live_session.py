@@ -16,7 +16,7 @@ import numpy
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
-from harness import controller  # noqa: E402
+from harness import controller, load  # noqa: E402
 
 GIVEN = {
     "module": str(HERE.parents[1] / "build" / "Mod" / "PatchMill"),
@@ -51,13 +51,16 @@ def run(rate):
             )
             try:
                 child.wait(240)
+            except subprocess.TimeoutExpired:
+                raise controller.TooFast("not done after 240 s") from None
             finally:
                 controller.end(child)
         verdict = folder / "verdict.txt"
         words = verdict.read_text().strip() if verdict.exists() else "no verdict"
         if words != "ok":
             tail = (folder / "output.txt").read_text(errors="replace")[-1500:]
-            raise controller.ControllerError(words + "\n" + tail)
+            refused = words.startswith("error")
+            raise (controller.ControllerError if refused else controller.TooFast)(words + "\n" + tail)
         return controller.read_samples(folder / "samples.txt", machine), json.loads(
             (folder / "sent.json").read_text()
         )
@@ -71,8 +74,10 @@ def longest_rest(log):
 
 
 class Live(unittest.TestCase):
+    @load.told_from_load
     def test_conditions_change_while_it_cuts(self):
-        log, sent = run(1.0)
+        log, sent = run(1.0 / load.slower())
+        load.note(log)
         rest, first, last = longest_rest(log)
         ends = numpy.array([m["tip"] for m in sent])
         print("%d moves in %.1f s; longest rest %.3f s" % (len(sent), log.time[last] - log.time[first], rest))
@@ -98,5 +103,4 @@ class Live(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    result = unittest.main(exit=False, verbosity=2).result
-    sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
+    load.main(verbosity=2)

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from harness import controller, phase, table  # noqa: E402
+from harness import controller, load, phase, table  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 ROW_TOLERANCE = 6.0  # degrees: rows keep one axis
@@ -46,6 +46,7 @@ json.dump({"line": np.array(section.lines)[ends].tolist(), "tip": tips.tolist(),
 
 
 class PostedField(unittest.TestCase):
+    @load.told_from_load
     def test_phase_and_axis_at_each_dimple(self):
         with tempfile.TemporaryDirectory(prefix="patchmill-field-") as folder:
             script = Path(folder) / "post.py"
@@ -83,5 +84,4 @@ class PostedField(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    result = unittest.main(exit=False, verbosity=2).result
-    sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
+    load.main(verbosity=2)

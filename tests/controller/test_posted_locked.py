@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from harness import controller, phase  # noqa: E402
+from harness import controller, load, phase  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 # acceleration -> bounds of the phase error, rms and largest [degrees], and of turns per dimple
@@ -79,6 +79,7 @@ class PostedSpindleLocked(unittest.TestCase):
         targets = phase.Targets(*(numpy.array(found[k]) for k in ("line", "tip", "azimuth", "patch")))
         return found, phase.measure(log, targets, 2)
 
+    @load.told_from_load
     def check(self, acceleration, velocity, patches):
         found, report = self.run_case(acceleration, velocity, patches)
         self.assertEqual(found["verdict"], "holds")
@@ -104,5 +105,4 @@ class PostedSpindleLocked(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    result = unittest.main(exit=False, verbosity=2).result
-    sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
+    load.main(verbosity=2)

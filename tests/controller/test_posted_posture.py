@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from harness import controller, table  # noqa: E402
+from harness import controller, load, table  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 RADIUS, CONTACT = 3.0, 0.001
@@ -57,6 +57,7 @@ def distance_to_lines(points, starts, ends):
 
 
 class PostedPosture(unittest.TestCase):
+    @load.told_from_load
     def test_ball_centre_in_the_frame_of_the_work(self):
         with tempfile.TemporaryDirectory(prefix="patchmill-posture-") as folder:
             values = {
@@ -99,5 +100,4 @@ class PostedPosture(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    result = unittest.main(exit=False, verbosity=2).result
-    sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)
+    load.main(verbosity=2)

@@ -18,18 +18,19 @@ import tempfile
 
 import numpy
 
-from . import table
+from . import load, table
 
 HERE = pathlib.Path(__file__).resolve().parent
 NOBODY = 65534
 
 
 class ControllerError(RuntimeError):
-    """LinuxCNC refused the program or did not end in time."""
+    """LinuxCNC refused the program."""
 
 
-class TooFast(ControllerError):
-    """The log has a gap or the motion queue ran empty: the wall's clock could not keep up."""
+class TooFast(load.Unknown):
+    """The log has a gap or the motion queue ran empty: the wall's clock could not keep up. Or LinuxCNC did
+    not start, or did not end in time."""
 
 
 @dataclasses.dataclass
@@ -154,7 +155,7 @@ def read_samples(path, machine):
             if len(row) == (7 if machine.kinematics == 'xyz' else 9):
                 rows.append(row)
     if len(rows) < 2:
-        raise ControllerError('nothing was logged')
+        raise TooFast('nothing was logged')
     samples = numpy.array(rows, dtype=float)
     if numpy.any(numpy.diff(samples[:, 0]) != 1):
         raise TooFast('the log has a gap')
@@ -197,14 +198,15 @@ def run_once(program, machine, rate, limit):
             try:
                 child.wait(limit)
             except subprocess.TimeoutExpired:
-                raise ControllerError('not done after %g s' % limit) from None
+                raise TooFast('not done after %g s' % limit) from None
             finally:
                 end(child)
         verdict = folder / 'verdict.txt'
         words = verdict.read_text(encoding='utf-8').strip() if verdict.exists() else 'no verdict'
         if words != 'ok':
             tail = output.read_text(errors='replace')[-1500:]
-            raise ControllerError('%s\n%s' % (words, tail))
+            refused = words.startswith('error')
+            raise (ControllerError if refused else TooFast)('%s\n%s' % (words, tail))
         return read_samples(folder / 'samples.txt', machine)
 
 
@@ -213,14 +215,18 @@ def run(program, machine=None, rate=20.0, limit=120.0, stops=1):
     computer is too busy for it; `limit`: wall seconds for each attempt; `stops`: how often the
     motion queue runs empty in this program (at its end, and at each block that waits).
 
-    Returns a Log; raises ControllerError with LinuxCNC's own words.
+    Returns a Log; raises ControllerError with LinuxCNC's own words, TooFast if nothing can be said.
     """
     machine = machine or Machine()
-    for attempt in (rate, rate / 3, rate / 10):
+    reason = ''
+    for slower in (1, 3, 10):
         try:
-            log = run_once(program, machine, attempt, limit)
-        except TooFast:
+            log = run_once(program, machine, rate / slower / load.slower(), limit)
+        except TooFast as unknown:
+            reason = str(unknown)
             continue
         if log.starved <= stops:
+            load.note(log)
             return log
-    raise TooFast('the motion queue ran empty at every clock rate')
+        reason = 'the motion queue ran empty'
+    raise TooFast('%s, at every clock rate' % reason)

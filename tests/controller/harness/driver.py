@@ -2,7 +2,7 @@
 """LinuxCNC's "display" without a display: switches on, runs program.ngc, records it, leaves.
 
 Runs inside the work folder of one run. Leaves samples.txt (halsampler's lines) and verdict.txt,
-whose first word is "ok" or "error".
+whose first word is "ok", "error", or "unknown" if the machine was too busy to tell.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 import signal
@@ -34,7 +34,7 @@ def connect():
         except linuxcnc.error:
             pass
         time.sleep(0.02)
-    leave('error: task did not start')
+    leave('unknown: task did not start')
 
 
 def raise_errors(channel):
@@ -48,23 +48,27 @@ def raise_errors(channel):
 
 def order(command, channel, call, *values):
     call(*values)
-    if command.wait_complete(START_SECONDS) != linuxcnc.RCS_DONE:
+    answer = command.wait_complete(START_SECONDS)
+    if answer != linuxcnc.RCS_DONE:
         raise_errors(channel)
-        leave('error: %s%r was refused' % (call.__name__, values))
+        what = 'error: %s%r was refused' if answer == linuxcnc.RCS_ERROR else 'unknown: no answer to %s%r'
+        leave(what % (call.__name__, values))
 
 
 def run(status, command, channel):
     """Starts the program and waits until the interpreter and the motion queue are both done."""
     command.auto(linuxcnc.AUTO_RUN, 0)
-    started = time.monotonic()
-    calm = 0
+    deadline = time.monotonic() + START_SECONDS
+    calm, begun = 0, False
     while calm < 4:
         time.sleep(0.02)
         status.poll()
         raise_errors(channel)
         idle = status.interp_state == linuxcnc.INTERP_IDLE and status.inpos and not status.queue
         # a program that has not begun looks idle as well
-        begun = status.motion_line > 0 or time.monotonic() - started > 2.0
+        begun = begun or status.motion_line > 0 or status.interp_state != linuxcnc.INTERP_IDLE
+        if not begun and time.monotonic() > deadline:
+            leave('unknown: the program never began')
         calm = calm + 1 if idle and begun else 0
 
 
@@ -78,7 +82,7 @@ def home(status, command, channel):
     deadline = time.monotonic() + START_SECONDS
     while not all(status.homed[:status.joints]):
         if time.monotonic() > deadline:
-            leave('error: homing took too long')
+            leave('unknown: homing took too long')
         time.sleep(0.02)
         status.poll()
         raise_errors(channel)
