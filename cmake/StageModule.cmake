@@ -11,8 +11,8 @@ foreach(FILE ${MODULE_FILES})
 endforeach()
 file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/patchmill ${STAGE}/patchmill SYMBOLIC)
 # FreeCAD finds a post-processor by its name and "_post.py" on sys.path
-set(POST_FILES patchmill_linuxcnc_post.py patchmill_fanuc_post.py patchmill_siemens_post.py
-               patchmill_heidenhain_post.py)
+file(GLOB POST_FILES RELATIVE ${CMAKE_SOURCE_DIR}/src/posts CONFIGURE_DEPENDS
+     ${CMAKE_SOURCE_DIR}/src/posts/*_post.py)
 foreach(FILE ${POST_FILES})
   file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/posts/${FILE} ${STAGE}/${FILE} SYMBOLIC)
 endforeach()

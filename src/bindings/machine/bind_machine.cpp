@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/path/path_text.h"
+#include "core/geometry/error.h"
 #include "core/machine/freecad_text.h"
 #include "core/machine/gcode_reader.h"
+#include "core/machine/path_feeds.h"
 #include "core/machine/program_writer.h"
+
+#include <clocale>
 
 namespace patchmill {
 namespace {
@@ -14,9 +18,13 @@ std::string program_of(const std::vector<std::string>& texts, const std::string&
                        bool tool_length, const std::string& name,
                        const std::vector<std::string>& header, const std::string& preamble,
                        const std::string& postamble, const std::string& smoothing_on,
-                       const std::string& smoothing_off) {
+                       const std::string& smoothing_off, const std::string& tcp_on,
+                       const std::string& tcp_off, int number,
+                       const std::vector<std::pair<std::string, double>>& retract,
+                       const std::optional<std::pair<Vec3, Vec3>>& stock,
+                       const std::vector<bool>& own) {
   ProgramStyle style;
-  style.dialect = dialect_of(dialect);
+  style.control = &control_of(dialect);
   style.precision = precision;
   style.line_numbers = line_numbers;
   style.comments = comments;
@@ -29,6 +37,17 @@ std::string program_of(const std::vector<std::string>& texts, const std::string&
   style.postamble = postamble;
   style.smoothing_on = smoothing_on;
   style.smoothing_off = smoothing_off;
+  style.tcp_on = tcp_on;
+  style.tcp_off = tcp_off;
+  style.number = number;
+  for (const auto& [axis, value] : retract) {
+    if (axis.size() != 1 || std::string("XYZ").find(axis) == std::string::npos)
+      throw InputError("retract", "'" + axis + "'", "give X, Y or Z.");
+    require_in_range("retract", value, -1e5, 1e5, "mm");
+    style.retract.emplace_back(axis[0], value);
+  }
+  style.stock = stock;
+  style.own = own;
   return write_program(texts, style);
 }
 
@@ -57,6 +76,8 @@ void bind_text(py::module_& m) {
 void bind_reader(py::module_& m) {
   py::class_<ProgramSection>(m, "ProgramSection", "One tool, spindle speed and sense of a program.")
       .def_readonly("tool_number", &ProgramSection::tool_number)
+      .def_readonly("offset", &ProgramSection::offset,
+                    "Work offset in force: 'G55', 'G54.1 P3'; '' while the program has named none.")
       .def_readonly("path", &ProgramSection::path)
       .def_readonly("unplaced", &ProgramSection::unplaced,
                     "Moves at the beginning that start nobody knows where.")
@@ -73,15 +94,31 @@ void bind_reader(py::module_& m) {
       });
   m.def(
       "read_gcode",
-      [](const std::string& text, const BallEndMill& tool, const std::string& dialect,
-         bool rotary) {
-        return read_gcode(text, tool, {dialect_of(dialect), rotary}).sections;
+      [](const std::string& text, const BallEndMill& tool, const std::string& dialect, bool rotary,
+         const std::string& tcp_on, const std::string& tcp_off) {
+        return read_gcode(text, tool, {&control_of(dialect), rotary, tcp_on, tcp_off}).sections;
       },
       py::arg("text"), py::arg("tool"), py::arg("dialect") = "linuxcnc", py::arg("rotary") = false,
-      py::call_guard<py::gil_scoped_release>(),
+      py::arg("tcp_on") = "", py::arg("tcp_off") = "", py::call_guard<py::gil_scoped_release>(),
       "The sections of a program; with `rotary` its points as programmed, and the angles beside "
       "them. "
       "Raises InputError for anything not understood.");
+  m.def(
+      "program_lines",
+      [](const std::string& text, const std::string& dialect) {
+        std::vector<std::pair<long, std::vector<std::pair<std::string, double>>>> lines;
+        for (const ProgramLine& line : program_lines(text, control_of(dialect))) {
+          lines.push_back({line.number, {}});
+          for (const GcodeWord& w : line.words)
+            lines.back().second.emplace_back(std::string(1, w.letter), w.value);
+        }
+        return lines;
+      },
+      py::arg("text"), py::arg("dialect") = "linuxcnc",
+      "[(line, [(letter, value), ...]), ...] of every line that has words, in the common tongue: "
+      "G4 P in seconds, "
+      "offsets as G54 to G59.3, TCP as G43.4 and G49. Raises InputError for a word that the "
+      "control would refuse.");
   py::class_<PlanMatch>(m, "PlanMatch", "How a path read back compares with its plan.")
       .def_readonly("complete", &PlanMatch::complete)
       .def_readonly("found", &PlanMatch::found)
@@ -92,14 +129,75 @@ void bind_reader(py::module_& m) {
         "Gives the moves of `read` the kinds and dimple numbers of `plan`, in place.");
 }
 
+py::dict control_dict(const Control& control) {
+  py::dict d;
+  d["name"] = std::string(control.name);
+  d["title"] = std::string(control.title);
+  d["max_decimals"] = control.can.max_decimals;
+  d["tcp"] = control.can.tcp;
+  d["inverse_time"] = control.can.inverse_time;
+  d["spindle_lock"] = control.can.lead != LeadRule::None;
+  d["cycles"] = control.can.cycles;
+  std::vector<std::string> offsets;
+  for (const CodeWord& word : control.codes)
+    if (word.letter == 'G' && word.means >= 540 && word.means <= 593 && word.means != 541)
+      offsets.push_back(code_text('G', word.means));
+  d["offsets"] = offsets;
+  return d;
+}
+
+// A call during which this thread's numbers have decimal points, whatever locale the process has.
+py::object with_decimal_points(const py::function& call, const py::args& args) {
+  struct Plain {
+    locale_t own = newlocale(LC_NUMERIC_MASK, "C", duplocale(LC_GLOBAL_LOCALE));
+    locale_t before = uselocale(own);
+    ~Plain() {
+      uselocale(before);
+      freelocale(own);
+    }
+  } const plain;
+  return call(*args);
+}
+
 void bind_writer(py::module_& m) {
   m.def("write_program", &program_of, py::arg("texts"), py::arg("dialect"), py::kw_only(),
         py::arg("precision") = 3, py::arg("line_numbers") = false, py::arg("comments") = true,
         py::arg("modal") = false, py::arg("axis_modal") = false, py::arg("tool_length") = true,
         py::arg("name") = "PATCHMILL", py::arg("header") = std::vector<std::string>(),
         py::arg("preamble") = "", py::arg("postamble") = "", py::arg("smoothing_on") = "",
-        py::arg("smoothing_off") = "", py::call_guard<py::gil_scoped_release>(),
-        "The program of FreeCAD's path texts (Path.toGCode()) in a dialect.");
+        py::arg("smoothing_off") = "", py::arg("tcp_on") = "", py::arg("tcp_off") = "",
+        py::arg("number") = 1, py::arg("retract") = std::vector<std::pair<std::string, double>>(),
+        py::arg("stock") = py::none(), py::arg("own") = std::vector<bool>(),
+        py::call_guard<py::gil_scoped_release>(),
+        "The program of FreeCAD's path texts (Path.toGCode()) for a control. Raises InputError "
+        "naming Dialect, "
+        "PostProcessorArgs, Strategy, ProgramForm, Machine or Path.");
+  m.def(
+      "controls",
+      [] {
+        std::vector<py::dict> all;
+        for (const Control* control : controls()) all.push_back(control_dict(*control));
+        return all;
+      },
+      "What each control can do, as dicts: name, title, max_decimals, tcp, inverse_time, "
+      "spindle_lock, cycles, "
+      "offsets.");
+  m.def(
+      "feeds_of", [](const std::string& text) { return feeds_of(text); }, py::arg("text"),
+      "The values of all F words of a path's text, in their order.");
+  m.def("with_feeds", &with_feeds, py::arg("text"), py::arg("feeds"),
+        py::call_guard<py::gil_scoped_release>(),
+        "A path's text with its F words replaced by `feeds`, where they are the same but for "
+        "FreeCAD's six "
+        "decimals.");
+  m.def("with_decimal_points", &with_decimal_points, py::arg("call"),
+        "call(*args) with decimal points in this thread, whatever locale the process has.");
+  m.def(
+      "safe_comment",
+      [](const std::string& dialect, const std::string& text) {
+        return safe_comment(control_of(dialect).comments, text);
+      },
+      py::arg("dialect"), py::arg("text"), "`text` as a comment that the control never acts on.");
 }
 
 }  // namespace

@@ -12,11 +12,12 @@ namespace patchmill {
 struct GcodeWord {
   char letter = 0;  ///< upper case
   double value = 0.0;
+  bool point = false;  ///< written with a decimal point
 };
 
-/// The words of a line without its line number (N), comments, blanks and a lone '%'.
+/// The words of a line without its line number (N), comments, blanks and a '%' that is all of it.
 /// Errors: InputError "G-code line <number>" on anything else: expressions, variables, block
-/// delete, O-words, an unclosed comment, a number that is none.
+/// delete, O-words, an unclosed comment, a number that is none or beyond 1e12.
 std::vector<GcodeWord> gcode_words(std::string_view line, long number);
 
 /// The error that readers throw about a line of a program.

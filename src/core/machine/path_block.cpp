@@ -3,7 +3,9 @@
 #include "core/machine/path_block.h"
 
 #include "core/geometry/error.h"
-#include "core/machine/gcode_words.h"
+#include "core/machine/controls/word_reader.h"
+
+#include <fmt/format.h>
 
 namespace patchmill {
 
@@ -11,12 +13,16 @@ PathBlock path_block(std::string_view text, long number) {
   PathBlock block;
   block.text = text;
   for (const GcodeWord& w : gcode_words(text, number)) {
-    if (w.letter == 'G')
-      block.g = static_cast<int>(w.value * 10.0 + 0.5);
-    else if (w.letter == 'M')
-      block.m = static_cast<int>(w.value + 0.5);
-    block.value[static_cast<std::size_t>(w.letter - 'A')] = w.value;
-    block.has[static_cast<std::size_t>(w.letter - 'A')] = true;
+    if (w.letter == 'G' || w.letter == 'M') {
+      if (block.count == PathBlock::kMostCodes)
+        refuse_block(block, "there are too many words in the block: divide it.");
+      block.codes[block.count++] = {w.letter, code_tenths(w, text, number)};
+      continue;
+    }
+    const auto k = static_cast<std::size_t>(w.letter - 'A');
+    if (block.has[k]) refuse_block(block, fmt::format("{} stands twice.", w.letter));
+    block.value[k] = w.value;
+    block.has[k] = true;
   }
   return block;
 }

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/machine/program_text.h"
 
-#include "core/geometry/error.h"
-
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -13,11 +10,10 @@
 namespace patchmill {
 namespace {
 
-constexpr std::string_view kAxes = "XYZABC";
 constexpr int kLeadDecimals = 6;
 
-bool bare_numbers(Dialect dialect) {
-  return dialect == Dialect::Heidenhain;
+bool plain_text(const Control& control) {
+  return control.can.form == BlockForm::PlainText;
 }
 
 }  // namespace
@@ -42,11 +38,19 @@ void append_fixed(std::string& text, double value, int decimals, bool plus) {
   while (n > 0) text += digits[--n];
 }
 
+std::string short_number(double value) {
+  std::string text;
+  append_fixed(text, value, 6, false);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 ProgramText::ProgramText(const ProgramStyle& style)
-    : style_(style), feed_decimals_(std::max(3, style.precision)) {}
+    : style_(style), control_(*style.control), feed_decimals_(std::max(3, style.precision)) {}
 
 void ProgramText::number() {
-  if (bare_numbers(style_.dialect)) {
+  if (plain_text(control_)) {
     text_ += std::to_string(count_++);
     text_ += ' ';
   } else if (style_.line_numbers) {
@@ -71,32 +75,28 @@ void ProgramText::lines(const std::string& text) {
 }
 
 void ProgramText::begin() {
-  if (style_.dialect == Dialect::Fanuc) {
-    text_ += fmt::format("%\nO{:04d}\n", style_.number);
-    comment(style_.name);
-  }
-  if (style_.dialect == Dialect::Heidenhain) line("BEGIN PGM " + style_.name + " MM");
+  if (control_.texts.begin.empty()) return;
+  std::string text = filled(control_.texts.begin, "number", fmt::format("{:04d}", style_.number));
+  text = filled(text, "name", style_.name);
+  if (plain_text(control_)) return line(text);
+  text_ += text + '\n';
 }
 
 std::string ProgramText::end() {
-  if (style_.dialect == Dialect::Fanuc) text_ += "%\n";
-  if (style_.dialect == Dialect::Heidenhain) line("END PGM " + style_.name + " MM");
+  const std::string text = filled(control_.texts.end, "name", style_.name);
+  if (plain_text(control_))
+    line(text);
+  else if (!text.empty())
+    text_ += text + '\n';
   return std::move(text_);
 }
 
 void ProgramText::comment(std::string_view text) {
-  std::string plain;
-  for (const char c : text)
-    if (c != '(' && c != ')' && c != ';' && c != '\n')
-      plain += style_.dialect == Dialect::Fanuc
-                   ? static_cast<char>(std::toupper(static_cast<unsigned char>(c)))
-                   : c;
-  const bool round = style_.dialect == Dialect::LinuxCnc || style_.dialect == Dialect::Fanuc;
-  if (round) {
-    text_ += "(" + plain + ")\n";
-  } else {
-    line("; " + plain);
-  }
+  const std::string safe = safe_comment(control_.comments, text);
+  if (control_.comments.round)
+    text_ += safe + '\n';
+  else
+    line(safe);
 }
 
 void ProgramText::forget() {
@@ -108,16 +108,21 @@ void ProgramText::forget_word() {
   motion_ = -1;
 }
 
+void ProgramText::word(char letter, double value, int decimals) {
+  text_ += ' ';
+  text_ += letter;
+  append_fixed(text_, value, decimals, plain_text(control_));
+  if (decimals == 0 && control_.can.numbers_need_point) text_ += '.';
+}
+
 void ProgramText::axes(const MoveBlock& block, bool plus) {
-  const bool sparse = style_.axis_modal || bare_numbers(style_.dialect);
-  for (std::size_t i = 0; i < kAxes.size(); ++i) {
+  const bool sparse = (style_.axis_modal || plus) && !block.relative && !block.machine;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
     if (!block.given[i]) continue;
     if (sparse && known_[i] && block.value[i] == at_[i]) continue;
-    known_[i] = true;
+    known_[i] = !block.relative && !block.machine;
     at_[i] = block.value[i];
-    text_ += ' ';
-    text_ += kAxes[i];
-    append_fixed(text_, block.value[i], style_.precision, plus);
+    word(kWrittenAxes[i], block.value[i], style_.precision);
   }
 }
 
@@ -143,10 +148,8 @@ void ProgramText::straight_line(const MoveBlock& block) {
     text_ += " FT";
     append_fixed(text_, block.seconds, 3, false);
     feed_ = -1.0;
-  } else if (feed_units(block.feed) != feed_) {
-    text_ += " F";
-    append_fixed(text_, block.feed, feed_decimals_, false);
-    feed_ = feed_units(block.feed);
+  } else {
+    feed_word(block.feed, false);
   }
   text_ += '\n';
 }
@@ -155,14 +158,22 @@ double ProgramText::feed_units(double feed) const {
   return std::round(feed * std::pow(10.0, feed_decimals_));
 }
 
+void ProgramText::feed_word(double feed, bool inverse) {
+  if (!inverse && (style_.modal || plain_text(control_)) && feed_units(feed) == feed_) return;
+  text_ += " F";
+  append_fixed(text_, feed, feed_decimals_, false);
+  feed_ = inverse ? -1.0 : feed_units(feed);
+}
+
 void ProgramText::move(const MoveBlock& block) {
-  if (bare_numbers(style_.dialect)) return straight_line(block);
+  if (plain_text(control_)) return straight_line(block);
   const std::size_t whole = text_.size();
   const long count = count_;
   number();
   const int motion = static_cast<int>(block.motion);
   const std::size_t begin = text_.size();
-  if (!style_.modal || motion != motion_) {
+  if (block.machine) text_ += "G53 ";
+  if (!style_.modal || motion != motion_ || block.machine) {
     static constexpr const char* kWords[] = {"G0", "G1", "G33"};
     text_ += kWords[motion];
     motion_ = motion;
@@ -182,32 +193,59 @@ void ProgramText::move(const MoveBlock& block) {
     append_fixed(text_, block.lead.value, kLeadDecimals, false);
     feed_ = -1.0;
   }
-  if (block.motion == Motion::Feed &&
-      (block.inverse || !style_.modal || feed_units(block.feed) != feed_)) {
-    text_ += " F";
-    append_fixed(text_, block.feed, feed_decimals_, false);
-    feed_ = block.inverse ? -1.0 : feed_units(block.feed);
-  }
+  if (block.motion == Motion::Feed) feed_word(block.feed, block.inverse);
   if (text_.size() > begin && text_[begin] == ' ') text_.erase(begin, 1);  // no G word came first
   text_ += '\n';
 }
 
-void ProgramText::plain(int tenths, const std::function<bool(char, double&)>& get) {
+void ProgramText::remember(const Arc& arc) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    known_[static_cast<std::size_t>(i)] = true;
+    at_[static_cast<std::size_t>(i)] = arc.to[i];
+  }
+  forget_word();
+}
+
+void ProgramText::arc(const Arc& arc, double feed, bool inverse) {
+  const int across = arc.plane == ArcPlane::XY ? 2 : arc.plane == ArcPlane::ZX ? 1 : 0;
   number();
-  text_ += fmt::format("G{:g}", tenths / 10.0);
-  for (const char letter : std::string_view("XYZABCIJKRPQFSTHDL")) {
-    double value = 0.0;
-    if (!get(letter, value)) continue;
-    text_ += ' ';
-    text_ += letter;
-    const bool whole = std::string_view("STHDL").find(letter) != std::string_view::npos;
-    append_fixed(text_, value,
-                 whole           ? 0
-                 : letter == 'F' ? feed_decimals_
-                                 : style_.precision,
+  if (plain_text(control_)) {
+    text_ += "CC";
+    for (int i = 0; i < 2; ++i) word("XY"[i], arc.centre[i], style_.precision);
+    text_ += '\n';
+    number();
+    text_ += 'C';
+    for (int i = 0; i < 2; ++i) word("XY"[i], arc.to[i], style_.precision);
+    text_ += arc.clockwise ? " DR-" : " DR+";
+  } else {
+    text_ += arc.clockwise ? "G2" : "G3";
+    for (int i = 0; i < 3; ++i)
+      if (i != across || arc.to[i] != arc.from[i]) word("XYZ"[i], arc.to[i], style_.precision);
+    for (int i = 0; i < 3; ++i)
+      if (i != across) word("IJK"[i], arc.centre[i] - arc.from[i], style_.precision);
+  }
+  feed_word(feed, inverse);
+  text_ += '\n';
+  remember(arc);
+}
+
+void ProgramText::cycle(const DrillingCycle& cycle, double x, double y, double feed) {
+  const int d = style_.precision;
+  number();
+  text_ += code_text('G', cycle.code);
+  word('X', x, d);
+  word('Y', y, d);
+  word('Z', cycle.bottom, d);
+  word('R', cycle.retract, d);
+  if (cycle.peck > 0.0) word('Q', cycle.peck, d);
+  if (cycle.seconds > 0.0) {
+    text_ += " P";
+    append_fixed(text_, cycle.seconds * control_.texts.dwell_units, control_.texts.dwell_decimals,
                  false);
   }
+  feed_word(feed, false);
   text_ += '\n';
+  known_[0] = known_[1] = known_[2] = false;
   forget_word();
 }
 

@@ -109,7 +109,9 @@ class Writer {
     // F of a rotary move means little: its time is given instead
     const bool timed = feed_ == FeedWord::InverseTime || turning_;
     inverse(timed);
-    line(fmt::format("G1 {} F{:.6f}", place, (timed ? 1.0 : length) / minutes / feed_unit_));
+    const int feed_decimals = feed_unit_ == 1.0 ? 6 : 9;  // FreeCAD's are smaller by as much
+    line(fmt::format("G1 {} F{:.{}f}", place, (timed ? 1.0 : length) / minutes / feed_unit_,
+                     feed_decimals));
   }
   /// K on its decimals; the turns that rounding adds or takes are owed to the next move.
   double posted_pitch(std::size_t i, double length) {

@@ -107,6 +107,22 @@ def is_active(obj):
     return PathUtil.opProperty(obj, "Active") is not False
 
 
+def coolant_of(obj):
+    """The coolant of an operation, or of the one under dressups: Flood, Mist or None."""
+    return PathUtil.opProperty(obj, "CoolantMode") or "None"
+
+
+def stock_corners(objects):
+    """Lowest and highest corner [mm] of the stock of the job that one of a post's objects belongs to; None if
+    there is none."""
+    for obj in objects:
+        job = PathUtils.findParentJob(obj) if hasattr(obj, "Proxy") else None
+        box = getattr(getattr(getattr(job, "Stock", None), "Shape", None), "BoundBox", None)
+        if box is not None and box.isValid():
+            return (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
+    return None
+
+
 def tool_controllers(job):
     """The tool controllers of a job, a list of document objects."""
     return list(job.Tools.Group)

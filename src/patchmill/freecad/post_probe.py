@@ -83,7 +83,7 @@ def _job(host, document):
     document.recompute()
     job = host.create_job("Job", [box])
     operation = document.addObject("Path::Feature", "Probe")
-    operation.Path = host.Path.Path([host.Path.Command(line) for line in PROGRAM])
+    operation.Path = host.Path.Path([_command(host, line) for line in PROGRAM])
     for name, value in (("Active", True), ("CoolantMode", "None")):
         kind = "App::PropertyBool" if isinstance(value, bool) else "App::PropertyString"
         operation.addProperty(kind, name)
@@ -93,6 +93,12 @@ def _job(host, document):
     job.Operations.Group = job.Operations.Group + [operation]
     document.recompute()
     return job
+
+
+def _command(host, line):
+    """Its words by value: FreeCAD would read the numbers of a text as the locale has them."""
+    name, *words = line.split()
+    return host.Path.Command(name, {word[0]: float(word[1:]) for word in words})
 
 
 def _posted(host, job, post_name, arguments):

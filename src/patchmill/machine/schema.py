@@ -8,10 +8,11 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import json
 import math
 
+import _patchmill as core
 from _patchmill import InputError
 
 NUMBER = (int, float)
-DIALECTS = ("linuxcnc", "fanuc", "siemens", "heidenhain", "freecad")
+DIALECTS = tuple(control["name"] for control in core.controls()) + ("freecad",)
 AXES = ("XYZ", "XYZA", "XYZB", "XYZC", "XYZAB", "XYZAC", "XYZBC")
 
 
@@ -164,6 +165,7 @@ MACHINE = Record(
         "axes": Value(str, words=AXES),
         "rotary_axes": List(ROTARY, 2),
         "work_zero_mm": Numbers(3),
+        "retract_mm": Record({}, {letter: Value(*NUMBER, low=-1e5, high=1e5) for letter in "ZXY"}),
         "controller": CONTROLLER,
     },
 )

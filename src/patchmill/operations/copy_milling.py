@@ -19,6 +19,7 @@ from patchmill.freecad import host, kinds
 from patchmill.operations.base import BallEndOperation, create, setup_properties
 from patchmill.operations.base import recompute  # noqa: F401  for macros: it returns the ToolPath
 from patchmill.operations.copy_input import MODES, PASSES, UNDERCUTS, CopyInput, input_of
+from patchmill.path.read_text import path_of
 
 LEAST_HEIGHT = 1e-3  # mm of stock that is looked at, over a face at its top
 NOTHING_THERE = "there is nothing to cut on them, or the ball does not reach them from above."
@@ -69,7 +70,7 @@ class ObjectCopyMilling(BallEndOperation):
         for remark in remarks(made, tilted):
             FreeCAD.Console.PrintWarning("%s: %s\n" % (obj.Label, remark))
         text = str(core.freecad_text(self.path, None, 4))
-        self.commandlist.extend(host.begin_upright(host.Path.Path(text).Commands))
+        self.commandlist.extend(host.begin_upright(path_of(text).Commands))
         statistics = self.path.statistics()
         obj.Moves = len(self.path)
         obj.MachiningTime = statistics["timed_seconds"]

@@ -18,6 +18,7 @@ from _patchmill import InputError
 from patchmill.freecad import host, kinds, made_from, tool_controller
 from patchmill.operations.base import BallEndOperation
 from patchmill.operations.base import planned, recompute  # noqa: F401  for macros
+from patchmill.path.read_text import path_of
 from patchmill.properties.texture_properties import PROPERTIES
 from patchmill.properties.texture_results import RESULTS, show_results
 from patchmill.textures.masks import MaskInput, curve_loops
@@ -44,7 +45,7 @@ def prepare(given, progress=None):
     for number in range(len(text)):  # FreeCAD holds Python's lock while it reads a part
         if progress and not progress(0.8 + 0.2 * number / len(text)):
             return None
-        commands.extend(host.Path.Path(text[number]).Commands)
+        commands.extend(path_of(text[number]).Commands)
     return ReadyTexture(plan, commands if plan.posture else host.begin_upright(commands))
 
 

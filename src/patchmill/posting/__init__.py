@@ -19,6 +19,7 @@ from patchmill.freecad import host, post_probe
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.base import planned
 from patchmill.operations.copy_input import UNDERCUTS
+from patchmill.posting import control_match
 from patchmill.textures import strategies, tool_posture
 from patchmill.verify import checks, posted_milling
 
@@ -46,14 +47,18 @@ def post(job, filename, post_name=None, arguments=None):
     _require_place(filename)
     post_name = post_name or job.PostProcessor
     arguments = job.PostProcessorArgs if arguments is None else arguments
-    if not post_name:
-        raise InputError("PostProcessor", "''", "choose a post-processor for the job.")
     operations = _active_operations(job)
     textures = [op for op in operations if kind_of(op) == TEXTURE]
     plans = [planned(op) for op in textures]
+    post_name = post_name or control_match.post_for(plans)
+    if not post_name:
+        raise InputError("PostProcessor", "''", "choose a post-processor for the job.")
     for op, plan in zip(textures, plans):
         _check_verdict(op, plan)
         _check_arguments(post_name, plan, shlex.split(arguments))
+    own = own_dialect(post_name)
+    decimals = _decimals(post_name, shlex.split(arguments), plans)
+    control_match.require(post_name, own.dialect if own else "", decimals, plans)
     tilted = [dressup for op in operations if (dressup := posted_milling.posture_of(op)) is not None]
     if tilted:
         require_millimetres(tilted[0].Label, shlex.split(arguments))
@@ -65,7 +70,7 @@ def post(job, filename, post_name=None, arguments=None):
     for one in posted:
         one.check = checks.require_clear(one.operation, one.path, one.unplaced)
     milled = [op for op in operations if posted_milling.is_milling(op)]
-    half_unit = 0.5 * 10.0 ** -_decimals(post_name, shlex.split(arguments))
+    half_unit = 0.5 * 10.0**-decimals
     if "--inches" in shlex.split(arguments):
         half_unit *= 25.4
     posted += [posted_milling.read_back(op, text, dialect, half_unit) for op in milled]
@@ -124,7 +129,7 @@ def require_millimetres(what, arguments):
 
 def _check_arguments(post_name, plan, arguments):
     require_millimetres("a texture", arguments)
-    precision = _decimals(post_name, arguments)
+    precision = _decimals(post_name, arguments, [plan])
     if precision != plan.input.decimals:
         raise InputError(
             "Decimals",
@@ -134,9 +139,10 @@ def _check_arguments(post_name, plan, arguments):
         )
 
 
-def _decimals(post_name, arguments):
+def _decimals(post_name, arguments, plans):
     own = own_dialect(post_name)
-    precision = own.precision(shlex.join(arguments)) if own else 3
+    machine = next((plan.machine for plan in plans if plan.machine is not None), None)
+    precision = own.precision(shlex.join(arguments), machine) if own else 3
     for i, argument in enumerate(arguments):
         if argument.startswith("--precision="):
             precision = int(argument.split("=", 1)[1])

@@ -1,5 +1,6 @@
 """What PatchMill's own post-processors share: FreeCAD's usual arguments, and the way from the job's
-objects to the core's writer. A post is a file NAME_post.py with a few lines over Dialect (src/posts).
+objects to the core's writer. A post is a file NAME_post.py with a few lines over Dialect (src/posts); what
+its control can do and how its words are is the core's (src/core: a file for each control).
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -12,14 +13,18 @@ import _patchmill as core
 from _patchmill import InputError
 
 from patchmill.freecad import host
+from patchmill.path.read_text import text_of
 from patchmill.posting import program_header
+
+MOST_DECIMALS = 6
 
 
 class Dialect:
-    """One post-processor: the core's dialect and what it has by default."""
+    """One post-processor: the name of the core's control, and what it has by default."""
 
     def __init__(self, post, dialect, controller, precision, modal=False, line_numbers=False):
         self.post, self.dialect, self.controller = post, dialect, controller
+        self.default_precision = precision
         self.tooltip = "%s, by PatchMill" % controller
         self.parser = _parser(post, precision, modal, line_numbers)
 
@@ -27,9 +32,13 @@ class Dialect:
     def arguments_help(self):
         return self.parser.format_help()
 
-    def precision(self, arguments):
-        """Decimals of coordinates that the program will have with these arguments."""
-        return self.options(arguments).precision
+    def precision(self, arguments, machine=None):
+        """Decimals of coordinates that the program will have with these arguments: what they say, else those
+        of the machines.Machine, else the control's usual ones."""
+        said = self.options(arguments).precision
+        if said is not None:
+            return said
+        return self.default_precision if machine is None else min(machine.data["decimals"], MOST_DECIMALS)
 
     def options(self, arguments):
         """The options of an argument string. Raises InputError for what is not understood."""
@@ -48,22 +57,24 @@ class Dialect:
         options = self.options(arguments)
         objects = [o for o in objects if hasattr(o, "Path") and _active(o)]
         header = program_header.lines(objects, self.controller) if options.header else []
-        smoothing = program_header.smoothing(objects)
+        machine = program_header.machine_of(objects)
         return core.write_program(
             [_text(o) for o in objects],
             self.dialect,
-            precision=options.precision,
+            precision=self.precision(arguments, machine),
             line_numbers=options.line_numbers,
             comments=options.comments,
             modal=options.modal,
             axis_modal=options.axis_modal,
             tool_length=options.tlo,
             name=_name(objects),
+            number=options.program_number,
             header=header,
             preamble=(options.preamble or "").replace("\\n", "\n"),
             postamble=(options.postamble or "").replace("\\n", "\n"),
-            smoothing_on=smoothing[0],
-            smoothing_off=smoothing[1],
+            stock=host.stock_corners(objects),
+            own=[_is_own(o) for o in objects],
+            **_machine_words(machine, self.dialect),
         )
 
     def export(self, objects, filename, arguments):
@@ -118,7 +129,9 @@ def _parser(post, precision, modal, line_numbers):
     pair("axis-modal", modal, "leave out words of axes that stay where they are")
     pair("tlo", True, "tool length offset after a tool change (default)")
     pair("show-editor", False, "accepted; no editor is shown")
-    parser.add_argument("--precision", type=int, default=precision, help="decimals, default %d" % precision)
+    usual = "decimals; default the machine file's, without a machine %d" % precision
+    parser.add_argument("--precision", type=int, help=usual)
+    parser.add_argument("--program-number", type=int, default=1, help="1 to 9999, where programs have one")
     parser.add_argument("--preamble", help="first lines, instead of the dialect's own")
     parser.add_argument("--postamble", help="last lines, instead of the dialect's own")
     parser.add_argument("--inches", action="store_true", help="refused: textures are metric")
@@ -129,13 +142,45 @@ def _active(obj):
     return getattr(obj, "Active", True) and getattr(getattr(obj, "Base", None), "Active", True)
 
 
+def _is_own(obj):
+    """Whether an object's path is of PatchMill's making: an operation of ours or a modifier on any."""
+    return type(getattr(obj, "Proxy", None)).__module__.partition(".")[0] == "patchmill"
+
+
+def _machine_words(machine, dialect):
+    """The machine file's own words, as keywords of write_program: of TCP and of smoothing where it is of
+    this control, and where the tool is clear of everything."""
+    if machine is None:
+        return {}
+    data = machine.data.get("retract_mm", {})
+    words = {"retract": [(axis, data[axis]) for axis in "ZXY" if axis in data]}
+    controller = machine.controller
+    if controller["dialect"] == dialect:
+        names = ("smoothing_on", "smoothing_off", "tcp_on", "tcp_off")
+        words.update((name, controller.get(name, "")) for name in names)
+        for name in ("tcp_on", "tcp_off"):  # G43.4 and G49 are how a path says it; the control has its own
+            if words[name][:1] == "G":
+                words[name] = ""
+    return words
+
+
 def _text(obj):
-    """An object's path with its coolant."""
-    mode = getattr(obj, "CoolantMode", getattr(getattr(obj, "Base", None), "CoolantMode", "None"))
-    text = obj.Path.toGCode()
+    """An object's path with its coolant, and with F as it was planned, of which FreeCAD's text has six
+    decimals."""
+    mode = host.coolant_of(obj)
+    text = core.with_feeds(text_of(obj.Path), _feeds(obj))
     if mode in ("Flood", "Mist"):
         return "%s\n%s\nM9\n" % ({"Flood": "M8", "Mist": "M7"}[mode], text)
     return text
+
+
+def _feeds(obj):
+    """Every F of the object's path in its order [mm/s, or 1/s]: of a planned texture from its plan."""
+    plan = getattr(getattr(obj, "Proxy", None), "planned", None)
+    if plan is not None:
+        return core.feeds_of(str(plan.pacing.text))
+    words = (command.Parameters for command in obj.Path.Commands)
+    return [word["F"] for word in words if "F" in word]
 
 
 def _name(objects):

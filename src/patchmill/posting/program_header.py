@@ -4,6 +4,8 @@ machine, strategy, turns per dimple, time, where the phase is counted from.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+from patchmill.machine import machines
+
 
 def textures(objects):
     """The texture operations among a post's objects that have a plan."""
@@ -11,19 +13,12 @@ def textures(objects):
 
 
 def machine_of(objects):
-    """The machines.Machine of the first texture that names one, or None."""
+    """The machines.Machine of the first texture that names one, else of the first modifier that does."""
     for op in textures(objects):
         if op.Proxy.planned.machine is not None:
             return op.Proxy.planned.machine
-    return None
-
-
-def smoothing(objects):
-    """The machine file's words that switch smoothing on and off, each '' if it has none."""
-    machine = machine_of(objects)
-    if machine is None:
-        return "", ""
-    return machine.controller.get("smoothing_on", ""), machine.controller.get("smoothing_off", "")
+    names = [getattr(o, "Machine", "") for o in objects if hasattr(o, "Proxy")]
+    return next((machines.load(name) for name in names if isinstance(name, str) and name), None)
 
 
 def lines(objects, controller):
@@ -36,7 +31,7 @@ def lines(objects, controller):
         out.append("Machine: %s" % machine.data["name"])
         for line in machine.controller["operator"]:
             out.append("Operator: %s" % line)
-    return [line.encode("ascii", "replace").decode("ascii") for line in out]
+    return out
 
 
 def _texture(op):

@@ -1,0 +1,43 @@
+"""Whether a post-processor writes for the control of the machine that a texture names: its machine file says
+which control that is and how many decimals it takes.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from _patchmill import InputError
+
+STOCK = {  # of FreeCAD's own posts, those that are for one of the controls known here
+    "linuxcnc": "linuxcnc",
+    "refactored_linuxcnc": "linuxcnc",
+    "fanuc": "fanuc",
+    "heidenhain": "heidenhain",
+}
+ANY = "freecad"  # a machine file that names no control
+
+
+def post_for(plans):
+    """The post-processor of PatchMill's own for the control of the first machine that names one; '' if none
+    does."""
+    for plan in plans:
+        dialect = plan.machine.controller["dialect"] if plan.machine is not None else ANY
+        if dialect != ANY:
+            return "patchmill_" + dialect
+    return ""
+
+
+def require(post_name, own_name, precision, plans):
+    """Raises InputError naming PostProcessor if the post is for another control than a plan's machine has,
+    and Decimals if the program would have more of them than it takes. `own_name`: the control of a post of
+    PatchMill's own, or ''."""
+    control = own_name or STOCK.get(post_name, "")
+    for plan in plans:
+        if plan.machine is None:
+            continue
+        wanted = plan.machine.controller["dialect"]
+        if control and wanted not in (ANY, control):
+            remedy = "the machine %s has the control %s: use patchmill_%s, or choose another machine."
+            raise InputError("PostProcessor", post_name, remedy % (plan.machine.key, wanted, wanted))
+        most = plan.machine.data["decimals"]
+        if precision > most:
+            remedy = "the control of the machine %s takes %d: give --precision=%d and the same Decimals."
+            raise InputError("Decimals", precision, remedy % (plan.machine.key, most, most))
