@@ -25,3 +25,5 @@ install(DIRECTORY src/posts/ DESTINATION Mod/PatchMill FILES_MATCHING PATTERN "*
 install(DIRECTORY src/patchmill DESTINATION Mod/PatchMill PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY Gui/patchmill_gui DESTINATION Mod/PatchMill PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY Resources DESTINATION Mod/PatchMill)
+# the command `patchmill`
+install(PROGRAMS tools/patchmill DESTINATION bin)
