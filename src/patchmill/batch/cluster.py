@@ -6,7 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 from typing import Any, Callable, Dict, Iterator, List, Tuple
 
 from patchmill.batch.problem import BatchError
-from patchmill.batch.run import Task, make
+from patchmill.batch.process import Task, make
 
 RETRIES = 5  # of a part whose worker was lost
 

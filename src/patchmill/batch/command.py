@@ -95,22 +95,23 @@ def _run(options: Any) -> int:
     with outputs.OutputFolder(options.output) as out:
         told = _Progress(out, options.verbose)
         done = batch.run(wanted, out, each, options.resume, told)
-        index.write(done, out)
+        index.write(wanted, done, out)
     told.end()
+    failed = index.failed(done)
     print(
         "%d of %d parts have a program: %s"
         % (
-            len(done.results) - len(done.failed),
-            len(done.results),
+            len(done) - len(failed),
+            len(done),
             os.path.join(options.output, "index.html"),
         )
     )
-    for name in done.failed:
-        print("failed: %s: %s" % (name, done.results[name]["reason"]))
-    differing = compare.changes(old, index.data(done)) if old else []
+    for name in failed:
+        print("failed: %s: %s" % (name, done[name]["reason"]))
+    differing = compare.changes(old, index.data(wanted, done)) if old else []
     for sentence in differing:
         print("changed: " + sentence)
-    return FAILED if done.failed or differing else 0
+    return FAILED if failed or differing else 0
 
 
 def _recipe(options: Any) -> recipe.Recipe:

@@ -9,11 +9,11 @@ import base64
 import html
 import json
 import os
-from typing import Any, Dict, Iterator, Tuple
+from typing import Any, Dict, Iterator, List, Tuple
 
 import patchmill
 from patchmill.batch.outputs import OutputFolder
-from patchmill.batch.run import Run
+from patchmill.batch.recipe import Recipe
 
 HIDDEN = ("key", "files")
 
@@ -25,27 +25,35 @@ img { max-width: 22em; max-height: 12em } .done { color: #1a6b1a } .failed { col
 """
 
 
-def data(run: Run) -> Dict[str, Any]:
+Results = Dict[str, Dict[str, Any]]  # by the part's name
+
+
+def failed(results: Results) -> List[str]:
+    """Names of the parts that have no program."""
+    return [name for name, result in results.items() if result["status"] != "done"]
+
+
+def data(recipe: Recipe, results: Results) -> Dict[str, Any]:
     """What index.json holds (Resources/schemas/index.schema.json). Lengths in mm, times in seconds, angles in
     degrees."""
     parts = [
         dict({k: v for k, v in result.items() if k not in HIDDEN}, name=name)
-        for name, result in run.results.items()
+        for name, result in results.items()
     ]
     return {
         "index": 1,
         "patchmill": patchmill.__version__,
-        "recipe": run.recipe.data.get("name", ""),
-        "recipe_sha256": run.recipe.digest,
+        "recipe": recipe.data.get("name", ""),
+        "recipe_sha256": recipe.digest,
         "parts": parts,
-        "done": len(parts) - len(run.failed),
-        "failed": run.failed,
+        "done": len(parts) - len(failed(results)),
+        "failed": failed(results),
     }
 
 
-def write(run: Run, out: OutputFolder) -> None:
+def write(recipe: Recipe, results: Results, out: OutputFolder) -> None:
     """Writes index.json and index.html into the output folder."""
-    index = data(run)
+    index = data(recipe, results)
     out.write("index.json", json.dumps(index, indent=1, sort_keys=True) + "\n")
     out.write("index.html", _page(index, out))
 

@@ -22,7 +22,8 @@ PROGRAM, DOCUMENT, PICTURE = "program.ngc", "part.FCStd", "dimples.png"
 
 def run(request: Dict[str, Any]) -> Dict[str, Any]:
     """The result of one part: a dict as Resources/schemas/index.schema.json says under parts. `request`:
-    file, data (of the recipe), folder (to write into) and recipe_folder. An InputError is a result, too."""
+    file, data (of the recipe), folder (to write into) and recipe_folder. An InputError is a result, too.
+    """
     try:
         return _mill(request)
     except InputError as error:

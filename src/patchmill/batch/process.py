@@ -14,12 +14,23 @@ import subprocess
 import tempfile
 import threading
 import time
-from typing import Any, Dict, Optional
+from dataclasses import dataclass
+from typing import Any, Dict, Optional, Tuple
 
 from patchmill.batch.problem import BatchError
 
 COMMANDS = ("freecadcmd", "FreeCADCmd", "freecad.cmd")
 POLL_SECONDS = 0.05
+
+
+@dataclass(frozen=True)
+class Task:
+    """One part to be made: everything that a process, here or elsewhere, needs to know."""
+
+    name: str
+    request: Dict[str, Any]
+    limits: Dict[str, float]
+    key: str
 
 
 def freecad_command() -> str:
@@ -62,6 +73,11 @@ def run_part(
         "memory_mib": round(peak / 1024.0, 1),
     }
     return result
+
+
+def make(task: Task, stop: Optional[threading.Event] = None) -> Tuple[Task, Dict[str, Any]]:
+    """Makes one part on this machine: (task, result). `stop` ends it from another thread."""
+    return task, run_part(task.request, task.limits, stop)
 
 
 def _start(request: str, home: str, output: Any) -> "subprocess.Popen[bytes]":

@@ -93,16 +93,10 @@ def checked(text: str, filename: str) -> Dict[str, Any]:
         raise BatchError(filename, "no JSON", "%s." % error) from error
     with open(os.path.join(schemas_folder(), "recipe.schema.json"), encoding="utf-8") as file:
         validator = jsonschema.Draft7Validator(json.load(file))
-    error = next(
-        iter(sorted(validator.iter_errors(data), key=lambda e: (list(map(str, e.path)), e.message))),
-        None,
-    )
-    if error is not None:
-        where = "%s: /%s" % (filename, "/".join(str(p) for p in error.path))
-        raise BatchError(
-            where, _short(error.instance), "it does not fit the schema: %s." % _short(error.message)
-        )
-    return without_comments(data)
+    for wrong in sorted(validator.iter_errors(data), key=lambda e: (list(map(str, e.path)), e.message)):
+        where = "%s: /%s" % (filename, "/".join(str(p) for p in wrong.path))
+        raise BatchError(where, _short(wrong.instance), "it does not fit the schema: %s." %
+        _short(wrong.message)) return without_comments(data)
 
 
 def max_nesting(text: str) -> int:

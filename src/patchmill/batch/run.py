@@ -8,50 +8,20 @@ import concurrent.futures
 import hashlib
 import os
 import threading
-from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
 import patchmill
-from patchmill.batch import process, recipe
+from patchmill.batch import recipe
 from patchmill.batch.outputs import OutputFolder
+from patchmill.batch.process import Task, make
 
 Told = Callable[[int, int, str, Dict[str, Any]], None]
-
-
-@dataclass
-class Run:
-    """What a run came to: `results` by the part's name, in the order of the names; `fresh`: how many
-    were made now, and not taken over from a run before."""
-
-    recipe: recipe.Recipe
-    results: Dict[str, Dict[str, Any]] = field(default_factory=dict)
-    fresh: int = 0
-
-    @property
-    def failed(self) -> List[str]:
-        """Names of the parts that have no program."""
-        return [name for name, result in self.results.items() if result["status"] != "done"]
-
-
-@dataclass(frozen=True)
-class Task:
-    """One part to be made: everything that a process, here or elsewhere, needs to know."""
-
-    name: str
-    request: Dict[str, Any]
-    limits: Dict[str, float]
-    key: str
 
 
 def key_of(part: recipe.PartFile, made_by: recipe.Recipe) -> str:
     """What a part's files depend on: its content, the recipe and the version."""
     text = "%s %s %s" % (recipe.digest_of(part.file), made_by.digest, patchmill.__version__)
     return hashlib.sha256(text.encode()).hexdigest()
-
-
-def make(task: Task, stop: Optional[threading.Event] = None) -> Tuple[Task, Dict[str, Any]]:
-    """Makes one part on this machine: (task, result). `stop` ends it from another thread."""
-    return task, process.run_part(task.request, task.limits, stop)
 
 
 def here(jobs: int) -> Callable[[List[Task]], Iterator[Tuple[Task, Dict[str, Any]]]]:
@@ -79,10 +49,11 @@ def run(
     each: Callable[[List[Task]], Iterator[Tuple[Task, Dict[str, Any]]]],
     resume: bool = False,
     told: Optional[Told] = None,
-) -> Run:
-    """Makes all parts of a recipe in the folder `out`. each: see `here`. resume: parts whose file,
+) -> Dict[str, Dict[str, Any]]:
+    """Makes all parts of a recipe in the folder `out`; returns their results by name.
+    each: see `here`. resume: parts whose file,
     recipe and version are those of an earlier run are taken over. told(number, of, name, result) is
-    called after each. """
+    called after each."""
     results: Dict[str, Dict[str, Any]] = {}
     tasks: List[Task] = []
     for part in wanted.parts:
@@ -98,7 +69,7 @@ def run(
         out.keep(task.name, task.request["folder"], result)
         results[task.name] = result
         _tell(told, results, wanted, task.name, result)
-    return Run(wanted, {p.name: results[p.name] for p in wanted.parts}, len(tasks))
+    return {p.name: results[p.name] for p in wanted.parts}
 
 
 def _task(part: recipe.PartFile, key: str, wanted: recipe.Recipe, out: OutputFolder) -> Task:
