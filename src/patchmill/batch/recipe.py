@@ -93,10 +93,12 @@ def checked(text: str, filename: str) -> Dict[str, Any]:
         raise BatchError(filename, "no JSON", "%s." % error) from error
     with open(os.path.join(schemas_folder(), "recipe.schema.json"), encoding="utf-8") as file:
         validator = jsonschema.Draft7Validator(json.load(file))
-    for wrong in sorted(validator.iter_errors(data), key=lambda e: (list(map(str, e.path)), e.message)):
+    found = sorted(validator.iter_errors(data), key=lambda e: (list(map(str, e.path)), e.message))
+    for wrong in found:
         where = "%s: /%s" % (filename, "/".join(str(p) for p in wrong.path))
-        raise BatchError(where, _short(wrong.instance), "it does not fit the schema: %s." %
-        _short(wrong.message)) return without_comments(data)
+        remedy = "it does not fit the schema: %s." % _short(wrong.message)
+        raise BatchError(where, _short(wrong.instance), remedy)
+    return dict(without_comments(data))
 
 
 def max_nesting(text: str) -> int:

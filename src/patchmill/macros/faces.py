@@ -52,7 +52,7 @@ def _by_word(shape: Any, word: str) -> List[str]:
         return _by_names(shape, [word])
     if word not in WORDS:
         raise InputError("Faces", repr(word), "give a face's name or one of: %s." % ", ".join(WORDS))
-    numbers = range(len(shape.Faces))
+    numbers = list(range(len(shape.Faces)))
     if word == "all":
         return [_name(k) for k in numbers]
     if word == "top":
