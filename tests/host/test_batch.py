@@ -4,8 +4,6 @@ broken and one takes too long, a run that is killed and goes on.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import contextlib
-import io
 import json
 import os
 import random
@@ -13,61 +11,14 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
-import threading
 import time
 import unittest
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-MODULE = os.path.join(os.environ.get("PATCHMILL_BUILD", os.path.join(ROOT, "build")), "Mod", "PatchMill")
-sys.path.insert(0, MODULE)
+from batch_calls import MODULE, RECIPE, STEP, WithFolder, call  # first: it finds the module
 
-import jsonschema  # noqa: E402
-from patchmill.batch import command, compare, index, recipe  # noqa: E402
-from patchmill.batch.problem import BatchError  # noqa: E402
-
-STEP = os.path.join(ROOT, "Resources", "recipes", "xu2016", "block.step")
-RECIPE = {
-    "recipe": 1,
-    "//": "a comment",
-    "name": "three",
-    "parts": ["*.step"],
-    "tool": {"diameter": 2.0, "flutes": 2, "speed": 1000, "feed": 434.413},
-    "operations": [
-        {
-            "texture": "Curved",
-            "faces": "largest free-form",
-            "properties": {"Spacing": 0.5, "PatchSide": 4, "PatchesX": 2, "PatchesY": 2, "Rotation": 10},
-        }
-    ],
-    "outputs": ["picture"],
-    "limits": {"seconds": 300, "memory_mib": 4000},
-}
-
-
-def call(*arguments):
-    """(exit status, output) of the command."""
-    said = io.StringIO()
-    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-        try:
-            status = command.main(list(arguments))
-        except SystemExit as ended:
-            status = ended.code
-    return status, said.getvalue()
-
-
-class WithFolder(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.mkdtemp(prefix="batch-")
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
-    def write(self, data, name="recipe.json"):
-        with open(self.path(name), "w", encoding="utf-8") as file:
-            file.write(data if isinstance(data, str) else json.dumps(data))
-        return self.path(name)
+import jsonschema
+from patchmill.batch import compare, index, recipe
+from patchmill.batch.problem import BatchError
 
 
 class Refusals(WithFolder):
@@ -250,64 +201,6 @@ class Runs(WithFolder):
             self.assertIn("limit", part["reason"])
         changed = call("compare", self.path("time", "index.json"), self.path("memory", "index.json"))
         self.assertEqual((changed[0], changed[1].count("changed: a")), (1, 1))
-
-
-class Cluster(WithFolder):
-    """A scheduler and two workers on loopback, one of which is killed while it has a part."""
-
-    def start(self, *arguments):
-        process = subprocess.Popen(
-            [sys.executable, "-m"] + list(arguments),
-            env=dict(os.environ, PYTHONPATH=MODULE, DASK_DISTRIBUTED__DASHBOARD__LINK=""),
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            cwd=self.folder,
-        )
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        return process
-
-    def test_a_worker_that_is_killed_changes_nothing(self):
-        for name in ("a", "b", "c", "d"):
-            shutil.copy(STEP, self.path(name + ".step"))
-        name = self.write(RECIPE)
-        self.assertEqual(call("run", name, "-o", self.path("here"), "-j", "2")[0], 0)
-        address_file = self.path("scheduler.json")
-        self.start(
-            "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0",
-            "--no-dashboard", "--scheduler-file", address_file,
-        )  # fmt: skip
-        while not os.path.isfile(address_file) or not os.path.getsize(address_file):
-            time.sleep(0.1)
-        with open(address_file, encoding="utf-8") as file:
-            address = json.load(file)["address"]
-        worker = (
-            "distributed.cli.dask_worker",
-            address,
-            "--nthreads",
-            "1",
-            "--no-nanny",
-            "--no-dashboard",
-            "--host",
-            "127.0.0.1",
-        )
-        self.start(*worker)
-        lost = self.start(*worker)
-        threading.Timer(6.0, lost.kill).start()
-        status, said = call("run", name, "-o", self.path("there"), "--cluster", address)
-        self.assertEqual(status, 0, said)
-        here, there = (
-            index.without_times(compare.load(self.path(o, "index.json"))) for o in ("here", "there")
-        )
-        self.assertEqual(here, there)
-
-    def test_no_scheduler(self):
-        shutil.copy(STEP, self.path("a.step"))
-        status, said = call(
-            "run", self.write(RECIPE), "-o", self.path("out"), "--cluster", "tcp://127.0.0.1:1"
-        )
-        self.assertEqual(status, 2)
-        self.assertIn("no scheduler answers", said)
 
 
 if __name__ == "__main__":
