@@ -7,6 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import contextlib
+import json
 import os
 import tempfile
 
@@ -174,6 +175,24 @@ def preferred_post():
     return PathPreferences.defaultPostProcessor()
 
 
+def flutes_said(bit):
+    """Whether somebody has said how many flutes a tool bit has. FreeCAD 1.1 gives a bit whose library does
+    not say it the number of its shape's drawing."""
+    if VERSION < (1, 1) or not getattr(bit, "ToolBitID", ""):
+        return True
+    from Path.Tool.camassets import cam_assets
+
+    if not cam_assets.exists("toolbit://" + bit.ToolBitID):
+        return True  # it is in no library
+    try:
+        bit_of_library = json.loads(cam_assets.get_raw("toolbit://" + bit.ToolBitID))
+        drawn = cam_assets.get("toolbitshape://" + bit_of_library["shape"].rsplit(".", 1)[0])
+    except (OSError, ValueError, KeyError):
+        return True  # a library that FreeCAD itself cannot read says nothing against it
+    said = {**bit_of_library.get("parameter", {}), **bit_of_library.get("attribute", {})}
+    return "Flutes" in said or bit.Flutes != drawn.get_parameter("Flutes")
+
+
 def takes_ball_end(obj, tool):
     """Whether an operation for ball end mills supports a tool bit: one of those, if its job has any. A new
     operation, which has no controller yet, takes the first that fits: FreeCAD would ask with a dialog, and
@@ -210,7 +229,7 @@ def add_ball_end_controller(
     with active_document(job.Document):
         controller.Tool = make_ball_end_mill(diameter_mm, flutes)
     if replaced and not replaced.InList:
-        replaced.Document.removeObject(replaced.Name)
+        replaced.Proxy.onDelete(replaced)  # takes the body with it that shows the bit's shape
     controller.Label = "Ball end mill %g mm" % diameter_mm
     controller.HorizFeed = feed_mm_min / 60.0
     controller.VertFeed = feed_mm_min / 60.0

@@ -3,6 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import FreeCAD
 from _patchmill import InputError
 
 from patchmill.freecad import host
@@ -32,6 +33,16 @@ def require_ball_end(controller, remedy):
 def flutes(bit):
     """How many a tool bit has; 1 if it does not say, for work that does not depend on them."""
     return max(1, int(getattr(bit, "Flutes", 1)))
+
+
+def warn_of_unsaid_flutes(controller):
+    """Says so in the report view if the number of flutes is nobody's: every dimple depends on it."""
+    bit = controller.Tool
+    if not host.flutes_said(bit):
+        FreeCAD.Console.PrintWarning(
+            "Flutes = %d: nobody has said how many %s has; FreeCAD's drawing of its kind has so many. Set "
+            "Flutes of the tool bit in its library.\n" % (bit.Flutes, bit.Label)
+        )
 
 
 def sense(controller):

@@ -79,6 +79,7 @@ class ObjectTexture(BallEndOperation):
         return result
 
     def opExecute(self, obj):
+        tool_controller.warn_of_unsaid_flutes(obj.ToolController)
         ready = self._ready_or_planned(self.texture_input(obj))
         self.planned = ready.planned
         self.commandlist.extend(ready.commands)
