@@ -19,11 +19,15 @@ endforeach()
 file(CREATE_LINK ${CMAKE_SOURCE_DIR}/Gui/patchmill_gui ${STAGE}/patchmill_gui SYMBOLIC)
 file(CREATE_LINK ${CMAKE_SOURCE_DIR}/Resources ${STAGE}/Resources SYMBOLIC)
 
-install(TARGETS _patchmill DESTINATION Mod/PatchMill)
-install(FILES ${MODULE_FILES} DESTINATION Mod/PatchMill)
-install(DIRECTORY src/posts/ DESTINATION Mod/PatchMill FILES_MATCHING PATTERN "*_post.py")
-install(DIRECTORY src/patchmill DESTINATION Mod/PatchMill PATTERN __pycache__ EXCLUDE)
-install(DIRECTORY Gui/patchmill_gui DESTINATION Mod/PatchMill PATTERN __pycache__ EXCLUDE)
-install(DIRECTORY Resources DESTINATION Mod/PatchMill)
+install(TARGETS _patchmill DESTINATION Mod/PatchMill COMPONENT module)
+install(FILES ${MODULE_FILES} DESTINATION Mod/PatchMill COMPONENT module)
+install(DIRECTORY src/posts/ DESTINATION Mod/PatchMill COMPONENT module FILES_MATCHING PATTERN "*_post.py")
+install(DIRECTORY src/patchmill DESTINATION Mod/PatchMill COMPONENT module PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY Gui/patchmill_gui DESTINATION Mod/PatchMill COMPONENT module PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY Resources DESTINATION Mod/PatchMill COMPONENT module)
 # the command `patchmill`
-install(PROGRAMS tools/patchmill DESTINATION bin)
+install(PROGRAMS tools/patchmill DESTINATION bin COMPONENT module)
+
+# cmake --build build --target uninstall: what was installed last, and the folders that it leaves empty
+add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -D MANIFEST=${CMAKE_BINARY_DIR}/install_manifest.txt
+                                    -P ${CMAKE_SOURCE_DIR}/cmake/Uninstall.cmake)
