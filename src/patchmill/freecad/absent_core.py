@@ -19,11 +19,28 @@ def keeps_path(obj):
     return bool(reason)
 
 
-def drop_path(obj, changed, inputs):
-    """Empties the path of `obj` if `changed` is one of `inputs`, names of its properties, and there is no
-    core."""
-    if core_loader.why_absent() and changed in inputs and "Restore" not in obj.State:
+def inputs_of(obj, names):
+    """What the path of an object of a document that was opened without a core is made from: {property:
+    value}; empty where there is a core."""
+    if not core_loader.why_absent():
+        return {}
+    return {name: _plain(getattr(obj, name, None)) for name in names}
+
+
+def drop_path(obj, name, inputs):
+    """Empties the path of `obj` if its property `name` is not as in `inputs` any more. FreeCAD sets many
+    again to what they are."""
+    if name in inputs and "Restore" not in obj.State and _plain(getattr(obj, name)) != inputs[name]:
         if obj.Path.Size:
             obj.Path = host.Path.Path()
-            text = "%s was changed: its path is taken away until it can be computed\n" % obj.Label
-            FreeCAD.Console.PrintWarning(text)
+            text = "%s: %s was changed, and the path is taken away until it can be computed\n"
+            FreeCAD.Console.PrintWarning(text % (obj.Label, name))
+
+
+def _plain(value):
+    """A value that can be compared later: document objects by their names."""
+    if isinstance(value, (list, tuple)):
+        return [_plain(v) for v in value]
+    if isinstance(value, float):
+        return round(value, 9)
+    return str(getattr(value, "Name", getattr(value, "UserString", value)))

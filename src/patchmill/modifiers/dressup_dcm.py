@@ -103,7 +103,7 @@ class DressupDCM:
     RESULT = "result"
     KIND = kinds.DCM
     model = result = error = ready = None
-    _opened = False
+    _inputs = {}  # see absent_core
 
     def __init__(self, obj, base):
         obj.addProperty(
@@ -128,7 +128,7 @@ class DressupDCM:
     def onDocumentRestored(self, obj):
         property_table.add(obj, PROPERTIES, RESULTS)
         made_from.add(obj)
-        self._opened = True
+        self._inputs = absent_core.inputs_of(obj, [row[1] for row in PROPERTIES] + ["Base"])
         hooks.announce_restored(obj)
 
     def onDelete(self, obj, args=None):
@@ -152,8 +152,7 @@ class DressupDCM:
         obj.Path = host.Path.Path()
 
     def onChanged(self, obj, prop):
-        if self._opened:
-            absent_core.drop_path(obj, prop, [row[1] for row in PROPERTIES] + ["Base"])
+        absent_core.drop_path(obj, prop, self._inputs)
 
     def execute(self, obj):
         if absent_core.keeps_path(obj):

@@ -19,7 +19,7 @@ class BallEndOperation(host.PathOp.ObjectOp):
 
     RESULT = ""
     error = None
-    _opened = False  # whether it comes from a document that is open by now
+    _inputs = {}  # see absent_core
 
     @classmethod
     def properties(cls):
@@ -45,15 +45,14 @@ class BallEndOperation(host.PathOp.ObjectOp):
     def opOnDocumentRestored(self, obj):
         property_table.add(obj, self.properties(), self.results())  # documents of older versions
         made_from.add(obj)
-        self._opened = True
+        names = [row[1] for row in self.properties()]
+        names += ["Base", "ToolController", "SafeHeight", "ClearanceHeight"]
+        self._inputs = absent_core.inputs_of(obj, names)
         hooks.announce_restored(obj)
 
     def onChanged(self, obj, prop):
         super().onChanged(obj, prop)
-        if self._opened:
-            inputs = [row[1] for row in self.properties()]
-            inputs += ["Base", "ToolController", "SafeHeight", "ClearanceHeight"]
-            absent_core.drop_path(obj, prop, inputs)
+        absent_core.drop_path(obj, prop, self._inputs)
 
     def opSetDefaultValues(self, obj, job):
         property_table.set_defaults(obj, self.properties())
