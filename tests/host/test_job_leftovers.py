@@ -11,7 +11,7 @@ import unittest
 import FreeCAD
 import Part
 import patchmill
-from patchmill.freecad import host
+from patchmill.freecad import host, tool_bits
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from parts import WithDocuments, job_on, tilted_box  # noqa: E402
@@ -39,10 +39,10 @@ class Flutes(WithDocuments):
         cam_assets.setup()
         document, operation = job_on(*tilted_box())
         bit = cam_assets.get("toolbit://6mm_Ball_End").attach_to_doc(doc=document)
-        self.assertFalse(host.flutes_said(bit))
+        self.assertFalse(tool_bits.flutes_said(bit))
         bit.Flutes = 3
-        self.assertTrue(host.flutes_said(bit))
-        self.assertTrue(host.flutes_said(operation.ToolController.Tool))
+        self.assertTrue(tool_bits.flutes_said(bit))
+        self.assertTrue(tool_bits.flutes_said(operation.ToolController.Tool))
 
     def test_zero_is_refused(self):
         _, operation = job_on(*tilted_box())

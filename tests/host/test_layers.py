@@ -29,7 +29,8 @@ PYTHON_FORBIDDEN = re.compile(
     r"^\s*(?:from|import)\s+(FreeCADGui|PySide\w*|PyQt\w*|pivy|patchmill_gui|Gui|Path\w*Gui\w*)\b"
 )
 # host.py; what maps one version's documents to another's; and what has to work where host.py does not
-KNOWS_VERSIONS = {("freecad", "host.py"), ("freecad", "old_documents.py"), ("install", "doctor.py")}
+KNOWS_VERSIONS = {("freecad", "host.py"), ("freecad", "old_documents.py"), ("install", "doctor.py"),
+                  ("freecad", "tool_bits.py")}
 VERSION_KNOWLEDGE = re.compile(r"PathScripts|FreeCAD\.Version|import Path\b|Path\.(Main|Op|Tool|Post)\.")
 
 

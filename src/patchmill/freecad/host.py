@@ -7,7 +7,6 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import contextlib
-import json
 import os
 import tempfile
 
@@ -173,24 +172,6 @@ def preferred_post():
     """Name of the post-processor that the user has set as FreeCAD's default; '' if none is. A new job takes
     the first of the list then, which is nobody's choice."""
     return PathPreferences.defaultPostProcessor()
-
-
-def flutes_said(bit):
-    """Whether somebody has said how many flutes a tool bit has. FreeCAD 1.1 gives a bit whose library does
-    not say it the number of its shape's drawing."""
-    if VERSION < (1, 1) or not getattr(bit, "ToolBitID", ""):
-        return True
-    from Path.Tool.camassets import cam_assets
-
-    if not cam_assets.exists("toolbit://" + bit.ToolBitID):
-        return True  # it is in no library
-    try:
-        bit_of_library = json.loads(cam_assets.get_raw("toolbit://" + bit.ToolBitID))
-        drawn = cam_assets.get("toolbitshape://" + bit_of_library["shape"].rsplit(".", 1)[0])
-    except (OSError, ValueError, KeyError):
-        return True  # a library that FreeCAD itself cannot read says nothing against it
-    said = {**bit_of_library.get("parameter", {}), **bit_of_library.get("attribute", {})}
-    return "Flutes" in said or bit.Flutes != drawn.get_parameter("Flutes")
 
 
 def takes_ball_end(obj, tool):

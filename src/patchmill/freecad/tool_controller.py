@@ -6,7 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill.freecad import host
+from patchmill.freecad import host, tool_bits
 
 SENSES = {"Forward": "M3", "Reverse": "M4"}
 
@@ -38,7 +38,7 @@ def flutes(bit):
 def warn_of_unsaid_flutes(controller):
     """Says so in the report view if the number of flutes is nobody's: every dimple depends on it."""
     bit = controller.Tool
-    if not host.flutes_said(bit):
+    if not tool_bits.flutes_said(bit):
         FreeCAD.Console.PrintWarning(
             "Flutes = %d: nobody has said how many %s has; FreeCAD's drawing of its kind has so many. Set "
             "Flutes of the tool bit in its library.\n" % (bit.Flutes, bit.Label)
