@@ -1,11 +1,11 @@
 // The reliefs shown in docs/cutter-marks.md, as raw float32 with a header line: name rows columns
 // step x y. Built and run by cutter_marks.py.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/marks/alignment.h"
-#include "core/marks/dimple_marks.h"
-#include "core/marks/simulate.h"
-#include "core/sync/constant_feed.h"
-#include "core/sync/contact_azimuth.h"
+#include "patchmill/marks/alignment.h"
+#include "patchmill/marks/dimple_marks.h"
+#include "patchmill/marks/simulate.h"
+#include "patchmill/sync/constant_feed.h"
+#include "patchmill/sync/contact_azimuth.h"
 #include "patch/table1_surface.h"
 
 #include <cmath>

@@ -25,7 +25,7 @@ def read(path):
 
 def simulate(build, folder):
     program = folder / "cutter_marks"
-    includes = [f"-I{ROOT / 'src'}", f"-I{ROOT / 'tests/core'}", "-isystem", "/usr/include/eigen3"]
+    includes = [f"-I{ROOT / 'src/core'}", f"-I{ROOT / 'tests/core'}", "-isystem", "/usr/include/eigen3"]
     libraries = [str(build / "src/core/libpatchmill_core.a"), "-ltbb", "-lfmt"]
     subprocess.run(["c++", "-std=c++17", "-O2", *includes, str(HERE / "cutter_marks.cpp"),
                     "-o", str(program), *libraries], check=True)

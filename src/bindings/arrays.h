@@ -3,8 +3,8 @@
 #pragma once
 
 #include "bindings/bindings.h"
-#include "core/geometry/error.h"
-#include "core/machine/kinematics.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/machine/kinematics.h"
 
 namespace patchmill {
 

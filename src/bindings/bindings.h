@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/geometry/error.h"
-#include "core/geometry/progress.h"
-#include "core/geometry/vec.h"
-#include "core/patch/helix.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/geometry/progress.h"
+#include "patchmill/geometry/vec.h"
+#include "patchmill/patch/helix.h"
 
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>

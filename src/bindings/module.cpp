@@ -1,7 +1,7 @@
 // The compiled module's entry, its errors and its progress callbacks.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 
 #include <pybind11/eval.h>
 #include <tbb/global_control.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/mesh/triangle_bvh.h"
+#include "patchmill/mesh/triangle_bvh.h"
 
 namespace patchmill {
 

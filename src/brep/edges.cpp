@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/edges.h"
 
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>

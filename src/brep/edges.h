@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/patch/boundary.h"
+#include "patchmill/patch/boundary.h"
 
 #include <vector>
 

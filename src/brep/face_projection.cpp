@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/face_projection.h"
 
-#include "core/geometry/angle.h"
+#include "patchmill/geometry/angle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "brep/polynomial_of_face.h"
 #include "brep/seed_grid.h"
 #include "brep/trim_grid.h"
-#include "core/patch/dimple.h"
-#include "core/patch/texture_plane.h"
+#include "patchmill/patch/dimple.h"
+#include "patchmill/patch/texture_plane.h"
 
 #include <atomic>
 #include <memory>

@@ -3,7 +3,7 @@
 #include "brep/face_sampler.h"
 
 #include "brep/face_projection.h"
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 
 #include <algorithm>
 #include <atomic>

@@ -7,10 +7,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/geometry/angle.h"
-#include "core/geometry/progress.h"
-#include "core/patch/sampler.h"
-#include "core/patch/texture_plane.h"
+#include "patchmill/geometry/angle.h"
+#include "patchmill/geometry/progress.h"
+#include "patchmill/patch/sampler.h"
+#include "patchmill/patch/texture_plane.h"
 
 #include <memory>
 #include <vector>

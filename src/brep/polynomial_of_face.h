@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/geometry/polynomial_surface.h"
+#include "patchmill/geometry/polynomial_surface.h"
 
 #include <optional>
 

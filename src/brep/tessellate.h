@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/mesh/triangle_mesh.h"
+#include "patchmill/mesh/triangle_mesh.h"
 
 #include <string>
 

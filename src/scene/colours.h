@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/patch/dimple.h"
-#include "core/path/tool_path.h"
+#include "patchmill/patch/dimple.h"
+#include "patchmill/path/tool_path.h"
 
 #include <cstdint>
 

@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/patch/dimple.h"
-#include "core/patch/division.h"
-#include "core/patch/texture_plane.h"
+#include "patchmill/patch/dimple.h"
+#include "patchmill/patch/division.h"
+#include "patchmill/patch/texture_plane.h"
 #include "scene/display.h"
 
 #include <vector>

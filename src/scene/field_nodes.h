@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/geometry/vec.h"
+#include "patchmill/geometry/vec.h"
 #include "scene/display.h"
 
 #include <vector>

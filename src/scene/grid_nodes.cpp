@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/grid_nodes.h"
 
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 #include "scene/colours.h"
 #include "scene/shapes.h"
 

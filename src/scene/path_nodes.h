@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/path/tool_path.h"
+#include "patchmill/path/tool_path.h"
 #include "scene/display.h"
 
 namespace patchmill::scene {

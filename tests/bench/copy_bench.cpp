@@ -4,7 +4,7 @@
 // ball from a grid of buckets of one ball diameter. Besides, the probe is compared with all triangles at 220 places
 // of the same lines (counter `largest_difference_mm`). One thread; items are points.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/copy/drop_probe.h"
+#include "patchmill/copy/drop_probe.h"
 #include "core/voxel/shapes.h"
 
 #include <random>

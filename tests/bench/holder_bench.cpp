@@ -2,7 +2,7 @@
 // the ball on the surface, a shank and a holder of 30 mm above it; and in a pit where no axis is clear. The peer
 // asks the distance of a dense sampling (1 mm) of the holder's surface for one axis. Items are places.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/dcm/clear_axis.h"
+#include "patchmill/collision/clear_axis.h"
 #include "core/voxel/shapes.h"
 
 #include <cmath>

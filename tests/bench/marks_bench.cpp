@@ -2,7 +2,7 @@
 // against the arithmetic limit of one core measured in the same run; what a dimple costs as dimples and
 // area grow; and one million dimples on a 0.02 mm grid.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/marks/simulate.h"
+#include "patchmill/marks/simulate.h"
 
 #include <sys/resource.h>
 

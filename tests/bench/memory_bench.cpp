@@ -2,9 +2,9 @@
 // fields. Counters in GiB: the largest resident memory of the process over all of it, and what was foreseen
 // before anything was allocated. The limit is 4 GiB.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/dcm/posture_field.h"
+#include "patchmill/dcm/posture_field.h"
 #include "core/voxel/peak_memory.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/voxel/voxelise.h"
 
 #include <cmath>
 

@@ -4,11 +4,11 @@
 // points.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/patch/analytic_surfaces.h"
-#include "core/patch/boundary.h"
-#include "core/patch/cover.h"
-#include "core/patch/mask.h"
-#include "core/patch/patch_surface.h"
-#include "core/patch/surface_lattice.h"
+#include "patchmill/patch/boundary.h"
+#include "patchmill/patch/cover.h"
+#include "patchmill/patch/mask.h"
+#include "patchmill/patch/patch_surface.h"
+#include "patchmill/patch/surface_lattice.h"
 
 #include <benchmark/benchmark.h>
 

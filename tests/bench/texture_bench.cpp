@@ -5,11 +5,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/face_sampler.h"
 #include "brep/faces.h"
-#include "core/patch/boundary.h"
-#include "core/patch/cover.h"
-#include "core/patch/patch_surface.h"
-#include "core/sync/constant_feed.h"
-#include "core/sync/contact_azimuth.h"
+#include "patchmill/patch/boundary.h"
+#include "patchmill/patch/cover.h"
+#include "patchmill/patch/patch_surface.h"
+#include "patchmill/sync/constant_feed.h"
+#include "patchmill/sync/contact_azimuth.h"
 
 #include <chrono>
 #include <sys/resource.h>

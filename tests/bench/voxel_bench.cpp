@@ -5,7 +5,7 @@
 // fields. The peers are told the tolerance, in their own norms, that brings the residual to 1e-6.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/voxel/shapes.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel_problem.h"
 
 #include <Eigen/IterativeLinearSolvers>

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/geometry/vec.h"
-#include "core/voxel/laplace_solver.h"
+#include "patchmill/geometry/vec.h"
+#include "patchmill/voxel/laplace_solver.h"
 
 #include <cmath>
 #include <vector>

@@ -2,7 +2,7 @@
 // its time goes with the number of voxels) beside tessellation and line parity at 64^3 to 1024^3.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/tessellate.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/voxel/voxelise.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/face_sampler.h"
 
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 #include "faces.h"
 
 #include <random>

@@ -2,11 +2,11 @@
 // a stop is heeded.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/face_sampler.h"
-#include "core/patch/boundary.h"
-#include "core/patch/cover.h"
-#include "core/patch/patch_surface.h"
-#include "core/sync/constant_feed.h"
-#include "core/sync/contact_azimuth.h"
+#include "patchmill/patch/boundary.h"
+#include "patchmill/patch/cover.h"
+#include "patchmill/patch/patch_surface.h"
+#include "patchmill/sync/constant_feed.h"
+#include "patchmill/sync/contact_azimuth.h"
 #include "faces.h"
 
 #include <cstring>

@@ -5,12 +5,12 @@
 // ball (1: the ball centre is programmed), side, patches, extra. The machine's axes are off its zero by the
 // numbers that the harness gives LinuxCNC. Prints one line of key=value.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/machine/programmed_path.h"
-#include "core/machine/rs274_text.h"
-#include "core/sync/constant_feed.h"
-#include "core/sync/paced_path.h"
-#include "core/sync/postures.h"
-#include "core/sync/tool_axis.h"
+#include "patchmill/gcode/programmed_path.h"
+#include "patchmill/gcode/rs274_text.h"
+#include "patchmill/sync/constant_feed.h"
+#include "patchmill/sync/paced_path.h"
+#include "patchmill/sync/postures.h"
+#include "patchmill/sync/tool_axis.h"
 #include "program_maker.h"
 
 #include <fstream>

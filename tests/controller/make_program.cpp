@@ -4,12 +4,12 @@
 // STRATEGY: constant | feed | inverse | locked. Writes OUT.ngc and OUT.csv; prints one line of
 // key=value.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/machine/predict_motion.h"
-#include "core/machine/rs274_text.h"
-#include "core/sync/constant_feed.h"
-#include "core/sync/contact_azimuth.h"
-#include "core/sync/fit_stops.h"
-#include "core/sync/paced_path.h"
+#include "patchmill/machine/predict_motion.h"
+#include "patchmill/gcode/rs274_text.h"
+#include "patchmill/sync/constant_feed.h"
+#include "patchmill/sync/contact_azimuth.h"
+#include "patchmill/sync/fit_stops.h"
+#include "patchmill/sync/paced_path.h"
 #include "program_maker.h"
 
 #include <fstream>

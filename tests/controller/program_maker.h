@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/geometry/error.h"
-#include "core/machine/motion_model.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/machine/motion_model.h"
 #include "patch/table1_surface.h"
 
 #include <iostream>

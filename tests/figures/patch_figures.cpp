@@ -1,12 +1,12 @@
 // Writes the numbers behind the pictures of docs/patch-division.md, matsuda-condition.md and
 // on-surface.md as CSV files. Usage: patch_figures <folder>
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/patch/advisor.h"
-#include "core/patch/boundary.h"
-#include "core/patch/cover.h"
-#include "core/patch/mask.h"
-#include "core/patch/patch_surface.h"
-#include "core/patch/surface_lattice.h"
+#include "patchmill/patch/advisor.h"
+#include "patchmill/patch/boundary.h"
+#include "patchmill/patch/cover.h"
+#include "patchmill/patch/mask.h"
+#include "patchmill/patch/patch_surface.h"
+#include "patchmill/patch/surface_lattice.h"
 #include "patch/analytic_surfaces.h"
 
 #include <fstream>

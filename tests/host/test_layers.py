@@ -12,6 +12,10 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 CPP_LAYERS = ["core", "brep", "scene", "bindings"]
+# The prefix of a layer's headers in an include: the core has one that collides with nothing in /usr/include.
+PREFIX = {"core": "patchmill"}
+LAYER_OF = {PREFIX.get(layer, layer): layer for layer in CPP_LAYERS}
+VOCABULARY = ("geometry", "path", "tool")  # subjects whose names stay in patchmill itself
 # What a layer may include besides its own files: other layers, and prefixes of foreign headers.
 CPP_MAY_USE = {"core": {"core"}, "brep": {"core", "brep"}, "scene": {"core", "scene"}}
 CPP_MAY_USE["bindings"] = set(CPP_LAYERS)
@@ -46,20 +50,23 @@ def cpp_violations(root):
                 if not include:
                     continue
                 name = include.group(2)
-                first = name.split("/")[0]
+                used = LAYER_OF.get(name.split("/")[0])
                 wrong = any(f.match(name) for f in FOREIGN[layer])
-                wrong = wrong or (first in CPP_LAYERS and first not in CPP_MAY_USE[layer])
+                wrong = wrong or name.startswith("core/")  # by its prefix only
+                wrong = wrong or (used is not None and used not in CPP_MAY_USE[layer])
                 if wrong:
                     found.append("%s:%d: %s" % (file.relative_to(root), number, line.strip()))
     return found
 
 
 def subject_cycles(root):
-    """Folders of src/core that lead back to themselves by their includes: a list of texts."""
+    """Folders of src/core/patchmill that lead back to themselves by their includes: a list of texts."""
     uses = {}
-    for file in sorted((root / "src" / "core").glob("*/*")):
-        used = re.findall(r'#\s*include\s*"core/(\w+)/', file.read_text())
-        uses.setdefault(file.parent.name, set()).update(set(used) - {file.parent.name})
+    subjects = root / "src" / "core" / "patchmill"
+    for file in sorted(f for f in subjects.rglob("*") if f.suffix in (".h", ".cpp")):
+        subject = file.relative_to(subjects).parts[0]
+        used = re.findall(r'#\s*include\s*"patchmill/(\w+)/', file.read_text())
+        uses.setdefault(subject, set()).update(set(used) - {subject})
     ordered = set()  # those that need only what is in here already
     while True:
         more = {subject for subject, used in uses.items() if used <= ordered} - ordered
@@ -67,6 +74,19 @@ def subject_cycles(root):
             left = sorted(set(uses) - ordered)
             return ["%s uses %s" % (s, ", ".join(sorted(uses[s] - ordered))) for s in left]
         ordered |= more
+
+
+def foreign_namespaces(root):
+    """Files of src/core/patchmill that open another namespace than their subject's: a list of texts."""
+    found = []
+    subjects = root / "src" / "core" / "patchmill"
+    for file in sorted(f for f in subjects.rglob("*") if f.suffix in (".h", ".cpp")):
+        subject = file.relative_to(subjects).parts[0]
+        own = "patchmill" if subject in VOCABULARY else "patchmill::" + subject
+        opened = re.findall(r"^namespace (patchmill[\w:]*) \{", file.read_text(), re.M)
+        if any(n != own and not n.startswith(own + "::PATCHMILL_") for n in opened):
+            found.append("%s opens %s" % (file.relative_to(root), ", ".join(opened)))
+    return found
 
 
 def python_violations(root):
@@ -87,6 +107,9 @@ class Layers(unittest.TestCase):
     def test_the_cores_subjects_form_no_cycle(self):
         self.assertEqual(subject_cycles(ROOT), [])
 
+    def test_each_subject_has_its_namespace(self):
+        self.assertEqual(foreign_namespaces(ROOT), [])
+
     def test_package_has_no_gui_and_one_file_of_versions(self):
         self.assertEqual(python_violations(ROOT), [])
 
@@ -96,7 +119,7 @@ class Layers(unittest.TestCase):
             for layer, text in {
                 "core": '#include <gp_Pnt.hxx>\n#include <Python.h>\n#include "brep/x.h"\n'
                 "#include <pybind11/pybind11.h>\n#include <App/Document.h>\n",
-                "brep": '#include "bindings/x.h"\n#include <TopoDS_Face.hxx>\n',
+                "brep": '#include "bindings/x.h"\n#include <TopoDS_Face.hxx>\n#include "core/x.h"\n',
             }.items():
                 (root / "src" / layer).mkdir(parents=True)
                 (root / "src" / layer / "bad.h").write_text(text)
@@ -106,10 +129,13 @@ class Layers(unittest.TestCase):
                 "import PathScripts.PathUtils\nimport numpy\nimport _patchmill\n"
             )
             for subject, used in (("a", "b"), ("b", "c"), ("c", "b"), ("d", "d")):
-                (root / "src" / "core" / subject).mkdir()
-                (root / "src" / "core" / subject / "x.h").write_text('#include "core/%s/y.h"\n' % used)
+                folder = root / "src" / "core" / "patchmill" / subject
+                folder.mkdir(parents=True)
+                text = '#include "patchmill/%s/y.h"\nnamespace patchmill::%s {\n'
+                (folder / "x.h").write_text(text % (used, subject if subject == "a" else "other"))
+            self.assertEqual(len(foreign_namespaces(root)), 3)
             self.assertEqual(len(subject_cycles(root)), 3)  # of the cycle, and of a that needs it
-            self.assertEqual(len(cpp_violations(root)), 6)
+            self.assertEqual(len(cpp_violations(root)), 7)
             self.assertEqual(len(python_violations(root)), 4)
 
     def test_top_level_names(self):

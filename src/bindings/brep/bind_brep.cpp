@@ -5,8 +5,8 @@
 #include "brep/face_sampler.h"
 #include "brep/facing.h"
 #include "brep/read_shape.h"
-#include "core/patch/patch_surface.h"
-#include "core/patch/surface_lattice.h"
+#include "patchmill/patch/patch_surface.h"
+#include "patchmill/patch/surface_lattice.h"
 
 namespace patchmill {
 namespace {

@@ -3,9 +3,9 @@
 #include "bindings/bindings.h"
 #include "brep/read_shape.h"
 #include "brep/tessellate.h"
-#include "core/geometry/error.h"
-#include "core/marks/clearance.h"
-#include "core/marks/mesh_distance.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/collision/clearance.h"
+#include "patchmill/collision/mesh_distance.h"
 
 #include <algorithm>
 

@@ -5,12 +5,12 @@
 #include "bindings/voxel/voxel_materials.h"
 #include "brep/read_shape.h"
 #include "brep/tessellate.h"
-#include "core/dcm/field_reader.h"
-#include "core/dcm/field_view.h"
-#include "core/dcm/voxel_file.h"
-#include "core/geometry/require.h"
-#include "core/voxel/transient.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/dcm/field_reader.h"
+#include "patchmill/dcm/field_view.h"
+#include "patchmill/dcm/voxel_file.h"
+#include "patchmill/geometry/require.h"
+#include "patchmill/voxel/transient.h"
+#include "patchmill/voxel/voxelise.h"
 
 namespace patchmill {
 namespace {

@@ -3,14 +3,14 @@
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
 #include "bindings/voxel/voxel_materials.h"
-#include "core/copy/chosen_faces.h"
-#include "core/copy/copy_milling.h"
-#include "core/copy/live_session.h"
-#include "core/copy/plunge_feed.h"
-#include "core/dcm/air_cuts.h"
-#include "core/dcm/apply_dcm.h"
-#include "core/dcm/clear_axis.h"
-#include "core/geometry/require.h"
+#include "patchmill/copy/chosen_faces.h"
+#include "patchmill/copy/copy_milling.h"
+#include "patchmill/copy/live_session.h"
+#include "patchmill/copy/plunge_feed.h"
+#include "patchmill/dcm/air_cuts.h"
+#include "patchmill/dcm/apply_dcm.h"
+#include "patchmill/collision/clear_axis.h"
+#include "patchmill/geometry/require.h"
 
 namespace patchmill {
 namespace {

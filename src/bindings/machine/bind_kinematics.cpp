@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
-#include "core/geometry/require.h"
-#include "core/machine/programmed_path.h"
+#include "patchmill/geometry/require.h"
+#include "patchmill/gcode/programmed_path.h"
 
 #include <optional>
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/path/path_text.h"
-#include "core/geometry/error.h"
-#include "core/machine/freecad_text.h"
-#include "core/machine/gcode_reader.h"
-#include "core/machine/path_feeds.h"
-#include "core/machine/program_writer.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/gcode/freecad_text.h"
+#include "patchmill/gcode/gcode_reader.h"
+#include "patchmill/gcode/path_feeds.h"
+#include "patchmill/gcode/program_writer.h"
 
 #include <clocale>
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/path/path_text.h"
-#include "core/geometry/error.h"
-#include "core/machine/motion_model.h"
-#include "core/machine/rs274_text.h"
-#include "core/sync/calibration.h"
-#include "core/sync/constant_feed.h"
-#include "core/sync/fit_stops.h"
-#include "core/sync/paced_path.h"
-#include "core/sync/verdict.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/machine/motion_model.h"
+#include "patchmill/gcode/rs274_text.h"
+#include "patchmill/sync/calibration.h"
+#include "patchmill/sync/constant_feed.h"
+#include "patchmill/sync/fit_stops.h"
+#include "patchmill/sync/paced_path.h"
+#include "patchmill/sync/verdict.h"
 
 namespace patchmill {
 namespace {

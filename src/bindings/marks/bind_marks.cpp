@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "brep/face_sampler.h"
-#include "core/geometry/require.h"
-#include "core/machine/kinematics.h"
-#include "core/marks/alignment.h"
-#include "core/marks/machine_motion.h"
-#include "core/marks/texture_marks.h"
-#include "core/sync/phase_rule.h"
+#include "patchmill/geometry/require.h"
+#include "patchmill/machine/kinematics.h"
+#include "patchmill/marks/alignment.h"
+#include "patchmill/marks/machine_motion.h"
+#include "patchmill/marks/texture_marks.h"
+#include "patchmill/sync/phase_rule.h"
 
 namespace patchmill {
 namespace {

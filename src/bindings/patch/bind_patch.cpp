@@ -1,10 +1,10 @@
 // Texture planes, patch division and dimples for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "core/geometry/error.h"
-#include "core/patch/boundary.h"
-#include "core/patch/cover.h"
-#include "core/patch/patch_surface.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/patch/boundary.h"
+#include "patchmill/patch/cover.h"
+#include "patchmill/patch/patch_surface.h"
 
 namespace patchmill {
 namespace {

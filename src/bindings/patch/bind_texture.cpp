@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "brep/face_sampler.h"
-#include "core/geometry/error.h"
-#include "core/patch/mask.h"
-#include "core/patch/surface_lattice.h"
-#include "core/patch/texture_size.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/patch/mask.h"
+#include "patchmill/patch/surface_lattice.h"
+#include "patchmill/patch/texture_size.h"
 
 namespace patchmill {
 namespace {

@@ -1,8 +1,8 @@
 // ToolPath, tools and spindles for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "core/geometry/require.h"
-#include "core/path/tool_path.h"
+#include "patchmill/geometry/require.h"
+#include "patchmill/path/tool_path.h"
 
 namespace patchmill {
 namespace {

@@ -2,8 +2,8 @@
 // Python lists.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "core/geometry/require.h"
-#include "core/path/tool_path.h"
+#include "patchmill/geometry/require.h"
+#include "patchmill/path/tool_path.h"
 #include "scene/colours.h"
 #include "scene/dimple_nodes.h"
 #include "scene/field_nodes.h"

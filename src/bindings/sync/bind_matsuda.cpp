@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "brep/face_sampler.h"
-#include "core/patch/advisor.h"
-#include "core/patch/ridge.h"
-#include "core/patch/surface_lattice.h"
-#include "core/sync/free_form_path.h"
+#include "patchmill/patch/advisor.h"
+#include "patchmill/patch/ridge.h"
+#include "patchmill/patch/surface_lattice.h"
+#include "patchmill/sync/free_form_path.h"
 
 namespace patchmill {
 namespace {

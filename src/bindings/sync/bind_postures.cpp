@@ -3,11 +3,11 @@
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
 #include "bindings/path/path_text.h"
-#include "core/machine/gcode_reader.h"
-#include "core/machine/rs274_text.h"
-#include "core/sync/phase_rule.h"
-#include "core/sync/postures.h"
-#include "core/sync/tool_axis.h"
+#include "patchmill/gcode/gcode_reader.h"
+#include "patchmill/gcode/rs274_text.h"
+#include "patchmill/sync/phase_rule.h"
+#include "patchmill/sync/postures.h"
+#include "patchmill/sync/tool_axis.h"
 
 namespace patchmill {
 namespace {

@@ -1,10 +1,10 @@
 // Phase and path generation for Python. Angles in radians.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "core/geometry/require.h"
-#include "core/sync/constant_feed.h"
-#include "core/sync/contact_azimuth.h"
-#include "core/sync/phase_error.h"
+#include "patchmill/geometry/require.h"
+#include "patchmill/sync/constant_feed.h"
+#include "patchmill/sync/contact_azimuth.h"
+#include "patchmill/sync/phase_error.h"
 
 namespace patchmill {
 namespace {

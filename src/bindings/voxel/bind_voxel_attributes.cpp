@@ -3,8 +3,8 @@
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
 #include "bindings/voxel/voxel_materials.h"
-#include "core/dcm/field_reader.h"
-#include "core/geometry/require.h"
+#include "patchmill/dcm/field_reader.h"
+#include "patchmill/geometry/require.h"
 
 namespace patchmill {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/dcm/materials.h"
+#include "patchmill/dcm/materials.h"
 
 namespace patchmill {
 

@@ -1,8 +1,8 @@
 // Copy milling of chosen faces: nothing else is touched, all of the face is, and the layers over it go with it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/copy/chosen_faces.h"
+#include "patchmill/copy/chosen_faces.h"
 
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 #include "voxel/shapes.h"
 
 #include <algorithm>

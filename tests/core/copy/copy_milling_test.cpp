@@ -1,11 +1,11 @@
 // Copy milling: no gouge by an independent check, scallops as predicted, layers, curves.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/copy/copy_milling.h"
+#include "patchmill/copy/copy_milling.h"
 
-#include "core/copy/drop_cutter.h"
-#include "core/copy/level_curves.h"
-#include "core/copy/scanning.h"
-#include "core/geometry/error.h"
+#include "patchmill/copy/drop_cutter.h"
+#include "patchmill/copy/level_curves.h"
+#include "patchmill/copy/scanning.h"
+#include "patchmill/geometry/error.h"
 #include "voxel/shapes.h"
 
 #include <algorithm>

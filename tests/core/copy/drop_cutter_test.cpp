@@ -1,6 +1,6 @@
 // The dropped ball: closed forms, and a slow reference that comes down step by step.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/copy/drop_probe.h"
+#include "patchmill/copy/drop_probe.h"
 #include "voxel/shapes.h"
 
 #include <cmath>

@@ -3,9 +3,9 @@
 // smooth reading. With PATCHMILL_DCM_DIR set, the tables for the figures
 // (src/patchmill/reports/dcm_plots.py) are written to that folder.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/copy/copy_milling.h"
-#include "core/dcm/apply_dcm.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/copy/copy_milling.h"
+#include "patchmill/dcm/apply_dcm.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
 #include <cmath>

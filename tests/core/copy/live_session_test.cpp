@@ -1,11 +1,11 @@
 // A live session: batches join, conditions change half-way, nothing is gouged, cut too deep or left.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/copy/live_session.h"
+#include "patchmill/copy/live_session.h"
 
-#include "core/copy/drop_cutter.h"
-#include "core/dcm/field_reader.h"
-#include "core/geometry/error.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/copy/drop_cutter.h"
+#include "patchmill/dcm/field_reader.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
 #include <algorithm>

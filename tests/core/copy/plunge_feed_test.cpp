@@ -1,8 +1,8 @@
 // The feed downwards against its closed form on moves of every slope.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/copy/plunge_feed.h"
+#include "patchmill/copy/plunge_feed.h"
 
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 

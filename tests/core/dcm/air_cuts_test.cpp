@@ -1,9 +1,9 @@
 // Emptied voxels, and the moves that are hurried over.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/dcm/air_cuts.h"
+#include "patchmill/dcm/air_cuts.h"
 
-#include "core/geometry/error.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
 #include <algorithm>

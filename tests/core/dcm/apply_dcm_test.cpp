@@ -1,9 +1,9 @@
 // Reading fields and applying them to a path.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/dcm/apply_dcm.h"
+#include "patchmill/dcm/apply_dcm.h"
 
-#include "core/geometry/error.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
 #include <cmath>

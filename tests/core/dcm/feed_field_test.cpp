@@ -1,9 +1,9 @@
 // Feed fields: the linear profile, a tridiagonal reference, free ends, weights of the direction.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/dcm/feed_field.h"
+#include "patchmill/dcm/feed_field.h"
 
-#include "core/geometry/error.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
 #include <cmath>

@@ -1,10 +1,10 @@
 // Materials of voxels against closed forms: bodies by their inside, layers by their depth, and the feed
 // that follows from them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/dcm/materials.h"
+#include "patchmill/dcm/materials.h"
 
-#include "core/geometry/error.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // Posture: reading of the angles, boundary values, the steady field.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/dcm/posture_field.h"
+#include "patchmill/dcm/posture_field.h"
 
-#include "core/voxel/voxelise.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
 #include <cmath>

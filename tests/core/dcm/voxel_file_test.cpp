@@ -1,10 +1,10 @@
 // The voxel model written and read back, and files that must not be believed; sections of the fields.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/dcm/voxel_file.h"
+#include "patchmill/dcm/voxel_file.h"
 
-#include "core/dcm/field_view.h"
-#include "core/geometry/error.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/dcm/field_view.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // Angle: units and wrapping.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/geometry/angle.h"
+#include "patchmill/geometry/angle.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

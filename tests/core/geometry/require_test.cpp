@@ -1,6 +1,6 @@
 // What the checks of vectors and lists refuse, and what the message names.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/geometry/require.h"
+#include "patchmill/geometry/require.h"
 
 #include <limits>
 

@@ -1,8 +1,8 @@
 // Corner roundings against plane geometry, and the pitches that make up for them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/machine/corner_blend.h"
+#include "patchmill/machine/corner_blend.h"
 
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Angles along paths: continuity, limits, poles, and that no shorter way exists.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/machine/joint_plan.h"
+#include "patchmill/machine/joint_plan.h"
 
 #include "machines.h"
 

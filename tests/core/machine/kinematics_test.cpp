@@ -1,8 +1,8 @@
 // Kinematics on every kind of machine: axis to angles and back, reach, points, bad machines.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/machine/kinematics.h"
+#include "patchmill/machine/kinematics.h"
 
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 #include "machines.h"
 
 #include <gtest/gtest.h>

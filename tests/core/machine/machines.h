@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/geometry/angle.h"
-#include "core/machine/kinematics.h"
+#include "patchmill/geometry/angle.h"
+#include "patchmill/machine/kinematics.h"
 
 #include <random>
 

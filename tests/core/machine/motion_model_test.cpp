@@ -1,8 +1,8 @@
 // Motion model: closed forms against slow integration, and what a stop costs.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/machine/motion_model.h"
+#include "patchmill/machine/motion_model.h"
 
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Predicted passing times: closed forms in the limit of a short period, invariances, and what a
 // lock does.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/machine/predict_motion.h"
+#include "patchmill/machine/predict_motion.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/marks/simulate.h"
+#include "patchmill/marks/simulate.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // Finding dimples in a relief, how they line up, and how they compare with the plan.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/marks/alignment.h"
-#include "core/marks/place_index.h"
-#include "core/marks/plan_comparison.h"
+#include "patchmill/marks/alignment.h"
+#include "patchmill/marks/place_index.h"
+#include "patchmill/marks/plan_comparison.h"
 #include "rows.h"
 
 #include <algorithm>

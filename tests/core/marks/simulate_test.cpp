@@ -1,11 +1,11 @@
 // The simulator's invariances: threads, instruction sets, bands, curved bases, patches of the path,
 // and what it refuses.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/marks/simulate.h"
+#include "patchmill/marks/simulate.h"
 
-#include "core/geometry/error.h"
-#include "core/marks/dimple_marks.h"
-#include "core/marks/flute_kernel.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/marks/dimple_marks.h"
+#include "patchmill/marks/flute_kernel.h"
 #include "rows.h"
 
 #include <cstring>

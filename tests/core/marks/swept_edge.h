@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/marks/relief.h"
+#include "patchmill/marks/relief.h"
 
 #include <cmath>
 #include <functional>

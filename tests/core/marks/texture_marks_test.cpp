@@ -1,10 +1,10 @@
 // Whole textures: bands give what one piece gives; windows, patch planes and machine motion.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/marks/texture_marks.h"
+#include "patchmill/marks/texture_marks.h"
 
 #include "arrays.h"
-#include "core/geometry/error.h"
-#include "core/marks/machine_motion.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/marks/machine_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/patch/sampler.h"
+#include "patchmill/patch/sampler.h"
 
 #include <cmath>
 #include <optional>

@@ -1,12 +1,12 @@
 // Steepness limit, margin, slivers and masks.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/patch/boundary.h"
+#include "patchmill/patch/boundary.h"
 
 #include "analytic_surfaces.h"
-#include "core/geometry/error.h"
-#include "core/patch/cover.h"
-#include "core/patch/mask.h"
-#include "core/patch/patch_surface.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/patch/cover.h"
+#include "patchmill/patch/mask.h"
+#include "patchmill/patch/patch_surface.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

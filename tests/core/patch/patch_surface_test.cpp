@@ -1,10 +1,10 @@
 // Planar, pyramid and curved patches on surfaces with a formula.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/patch/patch_surface.h"
+#include "patchmill/patch/patch_surface.h"
 
 #include "analytic_surfaces.h"
-#include "core/geometry/error.h"
-#include "core/patch/cover.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/patch/cover.h"
 
 #include <numeric>
 

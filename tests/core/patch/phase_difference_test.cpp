@@ -1,9 +1,9 @@
 // Matsuda's condition: what is predicted is what the marks of the path show; the advisor's
 // proposals measure as aligned.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/geometry/error.h"
-#include "core/patch/advisor.h"
-#include "core/patch/ridge.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/patch/advisor.h"
+#include "patchmill/patch/ridge.h"
 
 #include <cmath>
 

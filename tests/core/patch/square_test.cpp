@@ -1,6 +1,6 @@
 // The square helix: every point once, every step one lattice step.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/patch/helix.h"
+#include "patchmill/patch/helix.h"
 
 #include <set>
 

@@ -1,13 +1,13 @@
 // Lattices laid on the surface: lengths that must be kept are kept, distortion against closed
 // forms.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/patch/surface_lattice.h"
+#include "patchmill/patch/surface_lattice.h"
 
 #include "analytic_surfaces.h"
-#include "core/geometry/error.h"
-#include "core/patch/boundary.h"
-#include "core/patch/cover.h"
-#include "core/patch/patch_surface.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/patch/boundary.h"
+#include "patchmill/patch/cover.h"
+#include "patchmill/patch/patch_surface.h"
 
 #include <set>
 

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/patch/cover.h"
+#include "patchmill/patch/cover.h"
 
 #include <array>
 #include <cmath>

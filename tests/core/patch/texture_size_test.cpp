@@ -1,8 +1,8 @@
 // The calculator of sizes: closed forms, completion from any part, contradictions by name.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/patch/texture_size.h"
+#include "patchmill/patch/texture_size.h"
 
-#include "core/geometry/error.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 

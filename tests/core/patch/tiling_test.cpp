@@ -1,7 +1,7 @@
 // All patch shapes: helices step by step, tiling of the lattice, outlines, covers and links.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/geometry/error.h"
-#include "core/patch/cover.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/patch/cover.h"
 
 #include <map>
 #include <set>

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/patch/cover.h"
+#include "patchmill/patch/cover.h"
 
 namespace patchmill {
 

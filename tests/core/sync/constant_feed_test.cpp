@@ -2,13 +2,13 @@
 // Tables 1 and 2): travel, angle of the legs, turns, phase with and without the carry, M3 against
 // M4.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/sync/constant_feed.h"
+#include "patchmill/sync/constant_feed.h"
 
-#include "core/geometry/error.h"
-#include "core/sync/contact_azimuth.h"
-#include "core/sync/fit_length.h"
-#include "core/sync/link.h"
-#include "core/sync/phase_error.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/sync/contact_azimuth.h"
+#include "patchmill/sync/fit_length.h"
+#include "patchmill/sync/link.h"
+#include "patchmill/sync/phase_error.h"
 #include "patch/table1_surface.h"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // Legs fitted to a machine that stops: the motion model, which is another computation, has to find the
 // tool on each dimple in time.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/sync/fit_stops.h"
+#include "patchmill/sync/fit_stops.h"
 
 #include "ball_surface.h"
-#include "core/geometry/error.h"
-#include "core/sync/constant_feed.h"
-#include "core/sync/verdict.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/sync/constant_feed.h"
+#include "patchmill/sync/verdict.h"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 // Matsuda's free form on a ToolPath: teeth counted along its moves stand to one another as the closed
 // form says, on planes, on a cylinder, and with marks left out.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/geometry/error.h"
-#include "core/patch/cover.h"
-#include "core/sync/free_form_path.h"
-#include "core/sync/phase_error.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/patch/cover.h"
+#include "patchmill/sync/free_form_path.h"
+#include "patchmill/sync/phase_error.h"
 
 #include <cmath>
 

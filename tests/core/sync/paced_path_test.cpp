@@ -1,12 +1,12 @@
 // Paced paths: every dimple once, whole teeth, clear of the surface in between, and told when a
 // machine cannot.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/sync/paced_path.h"
+#include "patchmill/sync/paced_path.h"
 
 #include "ball_surface.h"
-#include "core/geometry/error.h"
-#include "core/sync/contact_azimuth.h"
-#include "core/sync/verdict.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/sync/contact_azimuth.h"
+#include "patchmill/sync/verdict.h"
 
 #include <cmath>
 #include <functional>

@@ -1,9 +1,9 @@
 // Contact azimuth, tilt and the phase rule against closed forms and invariances.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/sync/phase_rule.h"
+#include "patchmill/sync/phase_rule.h"
 
-#include "core/geometry/error.h"
-#include "core/sync/contact_azimuth.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/sync/contact_azimuth.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,15 +1,15 @@
 // Postures in the strategies: where the ball goes, what the phase is counted against, and that both forms
 // of a program come back to the same tool tips.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/sync/postures.h"
+#include "patchmill/sync/postures.h"
 
 #include "../machine/machines.h"
-#include "core/geometry/error.h"
-#include "core/machine/programmed_path.h"
-#include "core/sync/constant_feed.h"
-#include "core/sync/paced_path.h"
-#include "core/sync/phase_error.h"
-#include "core/sync/tool_axis.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/gcode/programmed_path.h"
+#include "patchmill/sync/constant_feed.h"
+#include "patchmill/sync/paced_path.h"
+#include "patchmill/sync/phase_error.h"
+#include "patchmill/sync/tool_axis.h"
 #include "patch/table1_surface.h"
 
 #include <gtest/gtest.h>

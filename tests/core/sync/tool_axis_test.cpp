@@ -1,9 +1,9 @@
 // Tool-axis modes: what each promises, and what smoothing may do.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/sync/tool_axis.h"
+#include "patchmill/sync/tool_axis.h"
 
-#include "core/geometry/error.h"
-#include "core/sync/contact_azimuth.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/sync/contact_azimuth.h"
 
 #include <algorithm>
 #include <random>

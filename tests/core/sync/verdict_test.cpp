@@ -1,11 +1,11 @@
 // The verdict on a plan, and the start phase.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/sync/verdict.h"
+#include "patchmill/sync/verdict.h"
 
 #include "ball_surface.h"
-#include "core/geometry/error.h"
-#include "core/sync/calibration.h"
-#include "core/sync/paced_path.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/sync/calibration.h"
+#include "patchmill/sync/paced_path.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // The 3-D solver: order of convergence, a slow reference, symmetry of roles, determinism,
 // residuals.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/geometry/error.h"
-#include "core/geometry/vec.h"
-#include "core/voxel/laplace_solver.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/geometry/vec.h"
+#include "patchmill/voxel/laplace_solver.h"
 #include "voxel/shapes.h"
 
 #include <cmath>

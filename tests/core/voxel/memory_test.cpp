@@ -1,9 +1,9 @@
 // What voxel models take of memory against what was foreseen before it was taken.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/dcm/materials.h"
-#include "core/dcm/posture_field.h"
-#include "core/mesh/triangle_bvh.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/dcm/materials.h"
+#include "patchmill/dcm/posture_field.h"
+#include "patchmill/mesh/triangle_bvh.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/peak_memory.h"
 #include "voxel/shapes.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "core/mesh/triangle_mesh.h"
-#include "core/voxel/laplace_level.h"
+#include "patchmill/mesh/triangle_mesh.h"
+#include "patchmill/voxel/laplace_level.h"
 
 #include <cmath>
 #include <functional>

@@ -1,11 +1,11 @@
 // Explicit diffusion: exact decay of modes, the stability limit, divergence of the paper's numbers.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/transient.h"
+#include "patchmill/voxel/transient.h"
 
-#include "core/dcm/feed_field.h"
-#include "core/geometry/error.h"
-#include "core/voxel/laplace_solver.h"
-#include "core/voxel/voxelise.h"
+#include "patchmill/dcm/feed_field.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/voxel/laplace_solver.h"
+#include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // Voxelisation against slow independent references: solid angle for inside, separating axes for
 // touch.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/voxel/voxelise.h"
+#include "patchmill/voxel/voxelise.h"
 
-#include "core/geometry/error.h"
-#include "core/mesh/triangle_bvh.h"
+#include "patchmill/geometry/error.h"
+#include "patchmill/mesh/triangle_bvh.h"
 #include "voxel/shapes.h"
 
 #include <algorithm>

@@ -1,0 +1,93 @@
+// Gouge and collision: does the ball, the shank or the holder go deeper into the part than allowed,
+// anywhere on a path, links and rapids included? By conservative advancement: the distance to the
+// part changes no faster than the tool moves, so a step may be as long as the clearance allows and
+// nothing is jumped over.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "patchmill/geometry/progress.h"
+#include "patchmill/path/tool_path.h"
+
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace patchmill {
+
+/// Signed distance [mm] of a place from the part as it is to be: positive outside, negative inside.
+/// Must not change faster than the place does. NaN: not known there. Is called from several
+/// threads at once.
+using PartDistance = std::function<double(const Vec3&)>;
+
+enum class ToolPart : std::uint8_t {
+  Ball,
+  Flute,  ///< the cutting cylinder above the ball: cuts as the ball does
+  Shank,
+  Holder
+};
+const char* name(ToolPart part);
+
+/// A piece of the tool above the ball: a frustum about the tool axis.
+struct ToolSection {
+  ToolPart part = ToolPart::Shank;
+  double from = 0.0, to = 0.0;                ///< heights above the tip [mm], 0 <= from < to <= 1e6
+  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e6
+};
+
+/// How near a section comes to the part, negative by how deep the part reaches into it, and where [mm].
+struct SectionDistance {
+  double distance = std::numeric_limits<double>::infinity();
+  Vec3 place = Vec3::Zero();
+};
+
+/// The part to check against.
+struct PartShape {
+  PartDistance distance;
+  /// Distance of a section at a pose; where it is above `enough`, anything from there to it will do. Empty:
+  /// the section is searched by `distance`, which takes long where flat meets flat.
+  std::function<SectionDistance(const ToolSection&, const ToolPose&, double enough)> section;
+
+  PartShape() = default;
+  template <class Distance>
+  PartShape(Distance known) : distance(std::move(known)) {}  // NOLINT: a distance is a shape
+};
+
+struct ClearanceOptions {
+  double tolerance = 0.002;  ///< ball and flutes may go so deep below the part's surface [mm]
+  double clearance = 0.1;    ///< shank and holder must keep so far away from it [mm]
+  double resolution =
+      0.001;  ///< what is deeper than allowed by more than this is surely found [mm]
+  std::size_t most_findings = 1000;  ///< after so many, the check stops
+  std::size_t first_move = 0;        ///< moves before it start nobody knows where and are left out
+};
+
+struct ClearanceFinding {
+  ToolPart part = ToolPart::Ball;
+  std::int64_t move = 0;      ///< number of the move in the path
+  double share = 0.0;         ///< of the move, 0 .. 1, where it is worst
+  Vec3 place = Vec3::Zero();  ///< on the part, or of the section if only a distance is known [mm]
+  double depth =
+      0.0;  ///< by which the allowed distance is fallen short of [mm], > 0; within a tenth
+};
+
+enum class ClearanceOutcome : std::uint8_t {
+  Clear,
+  Violated,
+  Unknown  ///< the distance was not known at some place, or the check was stopped: not a pass
+};
+
+struct ClearanceReport {
+  ClearanceOutcome outcome = ClearanceOutcome::Unknown;
+  std::vector<ClearanceFinding> findings;  ///< the worst of each stretch of a move, in order
+  std::int64_t unknown_moves = 0;          ///< moves with a place of unknown distance
+  std::string reason;                      ///< why Unknown, a sentence
+};
+
+/// Checks every move from its start to its end on a straight line of the tip, the axis turning
+/// evenly. A part without a distance, or a first move beyond the last one: Unknown. Errors: InputError naming BallRadius, Tolerance or Clearance
+/// (0 .. 1e6 mm), Resolution (1e-6 .. 1e6 mm), or ToolSection (out of its ranges).
+ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSection>& sections,
+                                const PartShape& part, const ClearanceOptions& options = {},
+                                const Progress& progress = {});
+
+}  // namespace patchmill

@@ -1,0 +1,28 @@
+// Signed distance of a point from a solid frustum, a convex body, with its gradient. The distance is a convex
+// function of the point (Boyd & Vandenberghe 2004, sections 3.1.3 and 8.1), so that a tangent plane lies below it
+// everywhere:
+//     d(q) >= d(p) + g(p) . (q - p),
+// which bounds it over a box or a triangle from one point, to second order in the size.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "patchmill/geometry/vec.h"
+
+namespace patchmill {
+
+/// A frustum about the tool axis.
+struct HolderSection {
+  double from = 0.0, to = 0.0;  ///< heights above the ball centre [mm], 0 < from < to, <= 1e4 long
+  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e4
+};
+
+struct SignedDistance {
+  double value = 0.0;            ///< [mm], negative inside
+  Vec3 gradient = Vec3::Zero();  ///< a subgradient, at most of unit length
+};
+
+/// Of `p` from the section of a tool whose ball centre is `centre` and whose unit axis is `axis`.
+SignedDistance frustum_distance(const HolderSection& section, const Vec3& centre, const Vec3& axis,
+                                const Vec3& p);
+
+}  // namespace patchmill

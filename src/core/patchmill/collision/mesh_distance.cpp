@@ -1,0 +1,120 @@
+// Nearest triangle and side of it; see mesh_distance.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/collision/mesh_distance.h"
+
+#include "patchmill/collision/section_distance.h"
+#include "patchmill/mesh/triangle_bvh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace patchmill {
+namespace {
+
+const double kGentle = std::cos(80.0 * kPi / 180.0);
+
+class Solid {
+ public:
+  explicit Solid(const TriangleMesh& mesh) : bvh_(mesh), normal_(mesh.triangles.size()) {
+    for (std::size_t i = 0; i < normal_.size(); ++i) {
+      const auto& t = mesh.triangles[i];
+      const Vec3 a = mesh.vertices[t[0]];
+      normal_[i] = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).normalized();
+    }
+    find_gentle(mesh);
+  }
+
+  const TriangleBvh& bvh() const { return bvh_; }
+
+  double distance(const Vec3& at) const {
+    const ClosestPoint near = closest_point(bvh_, at);
+    const auto i = static_cast<std::size_t>(near.triangle);
+    const double height = (at - near.point).dot(normal_[i]);
+    const bool on_face = near.barycentric.minCoeff() > 1e-9;
+    // u in the cone of normals that are all within 80 degrees of each other: u . n >= cos 80
+    if ((on_face || gentle_[i]) && std::abs(height) >= 0.99 * kGentle * near.distance)
+      return std::copysign(near.distance, height);
+    return inside(at) ? -near.distance : near.distance;
+  }
+
+  bool inside(const Vec3& at) const {
+    const std::vector<double> x = line_crossings(bvh_, at.y(), at.z());
+    const auto beyond = std::upper_bound(x.begin(), x.end(), at.x());
+    return (x.end() - beyond) % 2 != 0;
+  }
+
+ private:
+  /// Triangles all of whose neighbours, also those at a corner only, have normals within 80 degrees.
+  void find_gentle(const TriangleMesh& mesh) {
+    std::vector<std::vector<std::int32_t>> around(mesh.vertices.size());
+    for (std::size_t i = 0; i < normal_.size(); ++i)
+      for (const std::int32_t v : mesh.triangles[i])
+        around[static_cast<std::size_t>(v)].push_back(static_cast<std::int32_t>(i));
+    gentle_.resize(normal_.size());
+    std::vector<char> calm(mesh.vertices.size(), 1);
+    for (std::size_t v = 0; v < around.size(); ++v) {
+      if (around[v].size() > 1000) calm[v] = 0;  // the parity then tells
+      if (calm[v] == 0) continue;
+      for (const std::int32_t a : around[v])
+        for (const std::int32_t b : around[v])
+          if (!(normal_[static_cast<std::size_t>(a)].dot(normal_[static_cast<std::size_t>(b)]) >
+                kGentle))
+            calm[v] = 0;
+    }
+    for (std::size_t i = 0; i < normal_.size(); ++i) {
+      const auto& t = mesh.triangles[i];
+      gentle_[i] = std::all_of(t.begin(), t.end(),
+                               [&](std::int32_t v) { return calm[static_cast<std::size_t>(v)]; });
+    }
+  }
+
+  TriangleBvh bvh_;
+  std::vector<Vec3> normal_;
+  std::vector<char> gentle_;
+};
+
+}  // namespace
+
+PartShape shape_from_mesh(const TriangleMesh& mesh) {
+  require_closed(mesh, "Part");
+  const auto solid = std::make_shared<const Solid>(mesh);
+  PartShape part([solid](const Vec3& at) { return solid->distance(at); });
+  part.section = [solid](const ToolSection& section, const ToolPose& pose, double enough) {
+    const SectionDistance found = nearest_section(solid->bvh(), section, pose, enough);
+    if (found.distance < enough) return found;
+    // no surface near: it may still be all inside
+    const Vec3 middle = pose.tip + 0.5 * (section.from + section.to) * pose.axis;
+    if (!solid->inside(middle)) return found;
+    return SectionDistance{solid->distance(middle), middle};
+  };
+  return part;
+}
+
+PartShape join(std::vector<PartShape> parts) {
+  if (parts.empty()) return {};
+  if (parts.size() == 1) return parts.front();
+  const auto all = std::make_shared<const std::vector<PartShape>>(std::move(parts));
+  PartShape joined([all](const Vec3& at) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const PartShape& part : *all) least = std::min(least, part.distance(at));
+    return least;
+  });
+  joined.section = [all](const ToolSection& section, const ToolPose& pose, double enough) {
+    SectionDistance best{enough, Vec3::Zero()};
+    for (const PartShape& part : *all) {
+      const SectionDistance found = part.section(section, pose, best.distance);
+      if (found.distance < best.distance) best = found;
+    }
+    return best;
+  };
+  return joined;
+}
+
+PartDistance distance_from_mesh(const TriangleMesh& mesh) {
+  require_closed(mesh, "Part");
+  const auto solid = std::make_shared<const Solid>(mesh);
+  return [solid](const Vec3& at) { return solid->distance(at); };
+}
+
+}  // namespace patchmill

@@ -1,0 +1,22 @@
+// Signed distance from a closed mesh: what the gouge and collision check measures against.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "patchmill/collision/clearance.h"
+#include "patchmill/mesh/triangle_mesh.h"
+
+namespace patchmill {
+
+/// Distance from a solid [mm], positive outside; may be called from several threads. Where the nearest
+/// place lies on a face, or on an edge between faces that hardly differ, the face's normal gives the sign;
+/// else the parity of crossings along a line does. Errors: InputError of require_closed, naming Part.
+PartDistance distance_from_mesh(const TriangleMesh& mesh);
+
+/// The same solid with the distances of tool sections: least over the mesh of the signed distance from the
+/// section, which is convex, so that its tangent at one place bounds it over a whole box or triangle.
+PartShape shape_from_mesh(const TriangleMesh& mesh);
+
+/// Several solids as one part; none: a part without a distance.
+PartShape join(std::vector<PartShape> parts);
+
+}  // namespace patchmill

@@ -1,0 +1,139 @@
+// Arcs, drilling cycles and references of a program; see writer.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/gcode/writer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace patchmill {
+namespace {
+
+constexpr double kChord = 1e-3;  // of lines in the place of an arc [mm]
+
+}  // namespace
+
+Vec3 Writer::place_of(const PathBlock& block) const {
+  Vec3 to(at_[0], at_[1], at_[2]);
+  for (int i = 0; i < 3; ++i)
+    if (block.gives("XYZ"[i])) to[i] = block.get("XYZ"[i]) + (relative_ ? to[i] : 0.0);
+  return to;
+}
+
+void Writer::stand_at(const Vec3& point) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    at_[i] = point[static_cast<Eigen::Index>(i)];
+    known_[i] = true;
+  }
+}
+
+void Writer::arc(const PathBlock& block, bool clockwise) {
+  if (!(known_[0] && known_[1] && known_[2]))
+    refuse_block(block, "an arc begins nobody knows where.");
+  if (relative_) refuse_block(block, "arcs in relative coordinates are not posted.");
+  if (other_operation_) straighten(block);
+  const Vec3 from(at_[0], at_[1], at_[2]);
+  Arc arc{from, place_of(block), from, plane_, clockwise};
+  if (block.gives('R')) {
+    const auto centre = arc_centre(from, arc.to, block.get('R'), plane_, clockwise);
+    if (!centre) refuse_block(block, "no arc of that radius goes from here to there.");
+    arc.centre = *centre;
+  } else {
+    const int across = plane_ == ArcPlane::XY ? 2 : plane_ == ArcPlane::ZX ? 1 : 0;
+    for (int i = 0; i < 3; ++i)
+      if (i != across && block.gives("IJK"[i])) arc.centre[i] += block.get("IJK"[i]);
+  }
+  if (inverse_ && !block.gives('F'))
+    refuse_block(block, "in inverse time (G93) every arc needs its F.");
+  if (pending_tool_) call_tool("");
+  fresh_ = in_cycle_ = false;
+  length();
+  double feed = feed_;
+  if (inverse_ && !control_.can.inverse_time) feed *= arc_length(arc);
+  const bool inverse = inverse_ && control_.can.inverse_time;
+  const bool flat = plane_ == ArcPlane::XY && arc.to.z() == from.z();
+  if (control_.can.arcs_in_all_planes || flat)
+    out_.arc(arc, feed, inverse);
+  else
+    arc_as_lines(arc, feed);
+  stand_at(arc.to);
+}
+
+void Writer::arc_as_lines(const Arc& arc, double feed) {
+  for (const Vec3& point : arc_points(arc, kChord)) {
+    MoveBlock m;
+    m.motion = Motion::Feed;
+    m.given = {true, true, true};
+    m.value = {point.x(), point.y(), point.z()};
+    m.feed = feed;
+    out_.move(m);
+  }
+}
+
+void Writer::cycle(const PathBlock& block, int code) {
+  if (!(known_[0] && known_[1] && known_[2]))
+    refuse_block(block, "a cycle begins nobody knows where.");
+  if (relative_ || inverse_ || plane_ != ArcPlane::XY)
+    refuse_block(block,
+                 "cycles are posted in absolute coordinates, in the plane XY, with F in mm/min.");
+  if (!block.gives('Z') || !block.gives('R')) refuse_block(block, "a cycle needs its Z and R.");
+  if (block.gives('L') && block.get('L') != 1.0) refuse_block(block, "a cycle is done once: L1.");
+  if (other_operation_) straighten(block);
+  if (pending_tool_) call_tool("");
+  length();
+  fresh_ = false;
+  if (!in_cycle_) initial_ = at_[2];
+  in_cycle_ = true;
+  DrillingCycle cycle;
+  cycle.code = code;
+  cycle.bottom = block.get('Z');
+  cycle.retract = block.get('R');
+  cycle.initial = initial_;
+  cycle.peck = block.gives('Q') ? block.get('Q') : 0.0;
+  cycle.seconds = block.gives('P') ? block.get('P') : 0.0;
+  cycle.to_initial = to_initial_;
+  const Vec3 to = place_of(block);
+  const double height = cycle_steps(cycle).back().z;  // refuses what cannot be
+  if (control_.can.cycles)
+    out_.cycle(cycle, to.x(), to.y(), feed_);
+  else
+    cycle_as_moves(cycle, to.x(), to.y());
+  stand_at({to.x(), to.y(), height});
+}
+
+void Writer::cycle_as_moves(const DrillingCycle& cycle, double x, double y) {
+  const auto rapid_or_feed = [&](bool feed, std::array<bool, kAxisCount> given, double z) {
+    MoveBlock m;
+    m.motion = feed ? Motion::Feed : Motion::Rapid;
+    m.given = given;
+    m.value = {x, y, z};
+    m.feed = feed_;
+    out_.move(m);
+  };
+  if (at_[2] < cycle.retract) rapid_or_feed(false, {false, false, true}, cycle.retract);
+  rapid_or_feed(false, {true, true}, 0.0);
+  double z = std::max(at_[2], cycle.retract);
+  for (const CycleStep& step : cycle_steps(cycle)) {
+    if (step.kind == CycleStep::Kind::Dwell)
+      dwell(step.seconds);
+    else if (step.z != z)
+      rapid_or_feed(step.kind == CycleStep::Kind::Feed, {false, false, true}, step.z);
+    z = step.z;
+  }
+}
+
+/// G28 and G30: to the machine's reference, over the point that the block names.
+void Writer::reference(const PathBlock& block, int tenths) {
+  std::string text = code_text('G', tenths);
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    if (!block.gives(kWrittenAxes[i])) continue;
+    text += fmt::format(" {}", kWrittenAxes[i]);
+    append_fixed(text, block.get(kWrittenAxes[i]), style_.precision, false);
+  }
+  if (block.gives('P')) text += " P" + short_number(block.get('P'));
+  out_.line(text);
+  known_.fill(false);
+  out_.forget();
+}
+
+}  // namespace patchmill

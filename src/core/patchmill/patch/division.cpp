@@ -1,0 +1,144 @@
+// Tiling vectors, outlines and lattice points of patch divisions; see division.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/patch/division.h"
+
+#include "patchmill/geometry/error.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace patchmill {
+namespace {
+
+// Corners of the cell (0, 0) in lattice coordinates, counter-clockwise.
+Polygon first_outline(PatchShape shape, int size, bool down) {
+  const double m = size;
+  switch (shape) {
+    case PatchShape::Square:
+      return {{-0.5, -0.5}, {m - 0.5, -0.5}, {m - 0.5, m - 0.5}, {-0.5, m - 0.5}};
+    case PatchShape::Hexagon: {
+      // The places nearer to this patch's centre than to any other's; its corners are the centres
+      // of the triangles of neighbouring patch centres, v and v turned by 60°: (i, j) -> (-j, i+j).
+      Polygon corner;
+      Vec2 v(m + 1.0 + m,
+             -(m + 1.0));  // tiling vector (2r+1, -r-1), the first clockwise of (r+1, r)
+      for (int k = 0; k < 6; ++k) {
+        const Vec2 next(-v.y(), v.x() + v.y());
+        corner.push_back((v + next) / 3.0);
+        v = next;
+      }
+      return corner;
+    }
+    case PatchShape::Triangle:
+      // All patch corners are at (-1/2, -1/2) plus whole cells, so that they are shared; sides are
+      // m+1 and m steps, equilateral but for one part in m.
+      if (down) return {{m + 0.5, -0.5}, {m + 0.5, m - 0.5}, {-0.5, m - 0.5}};
+      return {{-0.5, -0.5}, {m + 0.5, -0.5}, {-0.5, m - 0.5}};
+  }
+  return {};
+}
+
+// helices[down][turn], empty where not needed
+using Helices = std::array<std::array<std::vector<LatticePoint>, 6>, 2>;
+
+Helices helices_of(const PatchDivision& division) {
+  Helices helices;
+  const PatchPattern& p = division.pattern;
+  for (const PatchCell& cell : division.cells) {
+    auto& helix = helices[cell.down][static_cast<std::size_t>(cell.turn)];
+    if (helix.empty()) helix = patch_helix(p.shape, p.size, p.order, cell.down, cell.turn);
+  }
+  return helices;
+}
+
+}  // namespace
+
+void require_valid(const PatchPattern& p) {
+  require_positive("Spacing", p.spacing, "mm");
+  if (p.shape == PatchShape::Hexagon)
+    require_in_range("PatchSide", p.size, 0, 5000, "steps from the centre to a corner");
+  else
+    require_in_range("PatchSide", p.size, 1, 10000, "dimples");
+}
+
+std::array<LatticePoint, 2> tiling_vectors(PatchShape shape, int size) {
+  switch (shape) {
+    case PatchShape::Square:
+      return {LatticePoint{size, 0}, LatticePoint{0, size}};
+    case PatchShape::Hexagon:
+      return {LatticePoint{size + 1, size}, LatticePoint{-size, 2 * size + 1}};
+    case PatchShape::Triangle:
+      return {LatticePoint{size + 1, 0}, LatticePoint{0, size}};
+  }
+  return {};
+}
+
+LatticePoint cell_origin(const PatchPattern& pattern, const PatchCell& cell) {
+  const auto v = tiling_vectors(pattern.shape, pattern.size);
+  return {cell.a * v[0][0] + cell.b * v[1][0], cell.a * v[0][1] + cell.b * v[1][1]};
+}
+
+Vec2 place(const PatchDivision& d, const Vec2& lattice) {
+  return d.anchor + lattice_place(lattice_of(d.pattern.shape), d.pattern.spacing, lattice);
+}
+
+Polygon outline_in_lattice(const PatchPattern& pattern, const PatchCell& cell) {
+  Polygon outline = first_outline(pattern.shape, pattern.size, cell.down);
+  const Vec2 origin = to_vec(cell_origin(pattern, cell));
+  for (Vec2& corner : outline) corner += origin;
+  return outline;
+}
+
+std::vector<Polygon> outlines(const PatchDivision& d) {
+  require_valid(d.pattern);
+  std::vector<Polygon> all;
+  all.reserve(d.cells.size());
+  for (const PatchCell& cell : d.cells) {
+    all.push_back(outline_in_lattice(d.pattern, cell));
+    for (Vec2& corner : all.back()) corner = place(d, corner);
+  }
+  return all;
+}
+
+Dimples lattice_points(const PatchDivision& d, std::int64_t max_dimples) {
+  require_valid(d.pattern);
+  const double count =
+      double(point_count(d.pattern.shape, d.pattern.size)) * double(d.cells.size());
+  if (count > double(max_dimples))
+    throw InputError("Spacing", fmt::format("{} mm", d.pattern.spacing),
+                     fmt::format("{:.0f} dimples are more than the limit of {}: choose a larger "
+                                 "spacing or fewer patches.",
+                                 count, max_dimples));
+  const Helices helices = helices_of(d);
+  Dimples dimples;
+  dimples.reserve(static_cast<std::size_t>(count));
+  std::int32_t patch = 0;
+  for (const PatchCell& cell : d.cells) {
+    const LatticePoint origin = cell_origin(d.pattern, cell);
+    for (const LatticePoint& step : helices[cell.down][static_cast<std::size_t>(cell.turn)]) {
+      Dimple dimple;
+      dimple.lattice = {origin[0] + step[0], origin[1] + step[1]};
+      dimple.patch = patch;
+      dimples.push_back(dimple);
+    }
+    ++patch;
+  }
+  return dimples;
+}
+
+double link_length(const PatchDivision& d) {
+  const Helices helices = helices_of(d);
+  double sum = 0.0;
+  Vec2 before = Vec2::Zero();
+  for (std::size_t k = 0; k < d.cells.size(); ++k) {
+    const PatchCell& cell = d.cells[k];
+    const auto& helix = helices[cell.down][static_cast<std::size_t>(cell.turn)];
+    const Vec2 origin = to_vec(cell_origin(d.pattern, cell));
+    if (k > 0) sum += (place(d, origin + to_vec(helix.front())) - before).norm();
+    before = place(d, origin + to_vec(helix.back()));
+  }
+  return sum;
+}
+
+}  // namespace patchmill

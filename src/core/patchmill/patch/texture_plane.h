@@ -1,0 +1,27 @@
+// TexturePlane: where the lattice of dimple places lies, and the direction in which it is projected
+// on the faces (Xu & Sasahara 2016, section 2.2.2; any direction, where the paper takes Z).
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "patchmill/geometry/error.h"
+#include "patchmill/geometry/vec.h"
+
+namespace patchmill {
+
+struct TexturePlane {
+  Vec3 origin = Vec3::Zero();
+  Vec3 x_axis = Vec3::UnitX();      ///< unit
+  Vec3 y_axis = Vec3::UnitY();      ///< unit, at right angles to x_axis
+  Vec3 direction = -Vec3::UnitZ();  ///< unit, into the material; not in the plane
+
+  Vec3 at(const Vec2& p) const { return origin + p.x() * x_axis + p.y() * y_axis; }
+};
+
+/// A plane through `origin` at right angles to `direction`, with its x axis as near to `x_hint` as
+/// possible, turned by `rotation` [rad] about -direction.
+/// Errors: InputError naming Direction if it is zero or not finite, or parallel to `x_hint`; Origin or Rotation
+/// if not finite.
+TexturePlane texture_plane(const Vec3& origin, const Vec3& direction, const Vec3& x_hint,
+                           double rotation);
+
+}  // namespace patchmill

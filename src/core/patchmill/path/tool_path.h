@@ -1,0 +1,98 @@
+// ToolPath: the one currency between planner, writers, reader, simulator, checks and display.
+// An ordered list of timed moves; each ends on a pose and says how many spindle turns it is planned
+// to take, and so how long. Positions are tool tips in the work frame [mm]; the ball centre is tip
+// + R * axis, and stays where it is when only the axis changes.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "patchmill/geometry/angle.h"
+#include "patchmill/geometry/vec.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace patchmill {
+
+/// Where the tool is. `axis` is the unit vector from the tip to the holder.
+struct ToolPose {
+  Vec3 tip = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+};
+
+struct BallEndMill {
+  double radius = 0.0;  ///< R [mm]
+  int flutes = 0;       ///< N
+};
+
+inline Vec3 ball_centre(const ToolPose& pose, double radius) {
+  return pose.tip + radius * pose.axis;
+}
+inline ToolPose pose_of_ball(const Vec3& centre, const Vec3& axis, double radius) {
+  return {centre - radius * axis, axis};
+}
+
+/// M3 turns clockwise seen from the holder, that is negatively about the tool axis; M4 the other
+/// way.
+enum class SpindleSense : std::int8_t { M3 = -1, M4 = +1 };
+
+struct Spindle {
+  double speed = 0.0;  ///< S [revolutions per second], > 0
+  SpindleSense sense = SpindleSense::M3;
+  /// s of the phase rule: -1 for M3, +1 for M4.
+  double sign() const { return static_cast<double>(static_cast<int>(sense)); }
+};
+
+enum class MoveKind : std::uint8_t {
+  Rapid,  ///< G0; its duration is the machine's affair: `turns` is kUnknownTurns
+  Link,   ///< timed, clear of the part
+  Cut     ///< timed, near or in the part
+};
+
+/// What keeps the time of a move.
+enum class Pace : std::uint8_t {
+  Feed,          ///< a feed: right only while the spindle speed is and the machine accelerates
+  SpindleLocked  ///< the spindle's encoder (G33): so many turns, whatever the speed
+};
+
+constexpr std::int32_t kNoDimple = -1;
+constexpr double kUnknownTurns = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMachineTolerance = std::numeric_limits<double>::quiet_NaN();
+
+struct Move {
+  ToolPose end;
+  double turns = kUnknownTurns;     ///< planned spindle turns, >= 0; NaN if nobody knows
+  std::int32_t dimple = kNoDimple;  ///< number of the dimple on which the move ends, if it does
+  MoveKind kind = MoveKind::Rapid;
+  Pace pace = Pace::Feed;
+  /// How far the machine may round the corner at the move's end [mm]; 0: it stops there; NaN: as the
+  /// machine is set.
+  double tolerance = kMachineTolerance;
+};
+
+struct ToolPath {
+  BallEndMill tool;
+  Spindle spindle;
+  ToolPose start;
+  std::vector<Move> moves;  ///< move i starts where move i-1 ends; move 0 at `start`
+};
+
+/// Duration of a move [s]; NaN where the turns are unknown.
+inline double duration(const Move& move, const Spindle& spindle) {
+  return move.turns / spindle.speed;
+}
+
+/// Sums over a path: what a report shows.
+struct PathStatistics {
+  double cut_length = 0.0;     ///< tip travel [mm]
+  double link_length = 0.0;    ///< [mm]
+  double rapid_length = 0.0;   ///< [mm]
+  double timed_seconds = 0.0;  ///< of all moves but rapids
+  double cut_turns = 0.0;      ///< spindle turns in cut moves
+  double link_turns = 0.0;
+  std::int64_t dimples = 0;
+  std::int64_t untimed_moves = 0;  ///< moves whose turns are unknown
+};
+PathStatistics statistics(const ToolPath& path);
+
+}  // namespace patchmill

@@ -1,0 +1,29 @@
+// Contact azimuth and tilt; see contact_azimuth.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/sync/contact_azimuth.h"
+
+#include "patchmill/geometry/require.h"
+
+#include <cmath>
+
+namespace patchmill {
+
+Angle tilt(const Vec3& normal, const Vec3& axis) {
+  return Angle::radians(std::atan2(normal.cross(axis).norm(), normal.dot(axis)));
+}
+
+Angle contact_azimuth(const Vec3& n) {
+  return Angle::radians(std::atan2(-n.y(), -n.x()));
+}
+
+void mark_tool_tip(Dimples& dimples, const Vec3& axis, Angle least_tilt) {
+  require_in_range("MinimumTilt", least_tilt.degrees(), 1e-6, 89.0, "degrees");
+  const Vec3 t_axis = unit_along("ToolAxis", axis);
+  for (Dimple& dimple : dimples) {
+    if (dimple.state != DimpleState::Cut) continue;
+    const Angle t = tilt(dimple.surface.normal, t_axis);
+    if (t < least_tilt || t.degrees() >= 90.0) dimple.state = DimpleState::ToolTip;
+  }
+}
+
+}  // namespace patchmill

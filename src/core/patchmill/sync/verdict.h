@@ -1,0 +1,56 @@
+// Whether a machine can hold a plan, said before anything is posted: the phase at each dimple as
+// the motion model predicts it, and the spindle speed up to which the plan would hold. A slower
+// spindle asks for slower moves, and an acceleration a costs v / a of each stop.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "patchmill/machine/predict_motion.h"
+#include "patchmill/sync/phase_error.h"
+
+#include <functional>
+
+namespace patchmill {
+
+struct PredictedPhase {
+  bool known = false;
+  std::string reason;  ///< why not
+  std::vector<PhaseError>
+      errors;  ///< one for each dimple; the runs' constant offsets are taken away
+  Angle rms, largest;
+};
+
+/// Spindle angle when the tool passes each dimple, against `wanted` (see wanted_phases) modulo
+/// `period`. The start phase is one unknown constant for the whole path (Xu & Sasahara 2016,
+/// section 3.3): its best value is taken away. Errors: as predict; InputError naming Dimple as
+/// phase_errors.
+PredictedPhase predicted_phase(const ToolPath& path, const MotionModel& model,
+                               const std::vector<Angle>& wanted, Angle period,
+                               double speed_ratio = 1.0);
+
+struct PhaseLimits {
+  Angle rms = Angle::degrees(3.0);
+  Angle largest = Angle::degrees(9.0);  ///< 9 of 180 degrees: a twentieth of a dimple
+};
+
+enum class Holding : std::uint8_t {
+  Holds,      ///< at the planned spindle speed
+  HoldsUpTo,  ///< only at a lower one
+  Cannot,     ///< at none that was tried
+  Unknown     ///< the model cannot say
+};
+
+struct Verdict {
+  Holding holding = Holding::Unknown;
+  double speed = 0.0;    ///< up to which it holds [revolutions per second]
+  Angle rms, largest;    ///< at the planned speed
+  std::string sentence;  ///< for the user
+};
+
+/// `plan` makes the path for a spindle; it may throw InputError, which counts as not holding at
+/// that speed (and is the sentence if it does so at all of them). Speeds down to a hundredth are
+/// tried. `slack`: the spindle's true speed may be off by this share either way.
+Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle& spindle,
+              const MotionModel& model, const std::vector<Angle>& wanted, Angle period,
+              const PhaseLimits& limits = {}, double slack = 0.0);
+
+}  // namespace patchmill
