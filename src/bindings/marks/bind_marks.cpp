@@ -125,9 +125,9 @@ py::dict compare_dict(const TextureMarks& marks, const Dimples& dimples, const V
   }
   const PlanComparison& c = window.comparison;
   py::dict d;
-  d["dimple"] = column_of<std::int32_t>(c.matches, [](const PlanMatch& m) { return m.dimple; });
-  d["found"] = column_of<std::int32_t>(c.matches, [](const PlanMatch& m) { return m.found; });
-  d["moved"] = pairs_of(c.matches, [](const PlanMatch& m) { return m.moved; });
+  d["dimple"] = column_of<std::int32_t>(c.matches, [](const DimpleMatch& m) { return m.dimple; });
+  d["found"] = column_of<std::int32_t>(c.matches, [](const DimpleMatch& m) { return m.found; });
+  d["moved"] = pairs_of(c.matches, [](const DimpleMatch& m) { return m.moved; });
   d["extra"] = column_of<std::int32_t>(c.extra, [](std::int32_t k) { return k; });
   const auto& f = window.found;
   d["places"] = pairs_of(f, [](const DimpleMark& m) { return m.place; });

@@ -103,12 +103,14 @@ TEST(SectionDistance, IsTheLeastOverTheMesh) {
           const double side = (r - 1.5) * std::cos(slope) - (h - 1.0) * std::sin(slope);
           const double inside = std::max({side, 1.0 - h, h - 4.0});
           if (inside <= 0.0) least = std::min(least, inside);
-          least = std::min(least, distance_from_section(section, pose, p).value);
+          least =
+              std::min(least, frustum_distance(section.frustum(), pose.tip, pose.axis, p).value);
         }
     const SectionDistance found = nearest_section(bvh, section, pose, 1e9);
     EXPECT_LE(found.distance, least + 1e-5);
     EXPECT_GE(found.distance, least - 0.06);  // the points are so far apart
-    EXPECT_NEAR(distance_from_section(section, pose, found.place).value, found.distance, 1e-12);
+    EXPECT_NEAR(frustum_distance(section.frustum(), pose.tip, pose.axis, found.place).value,
+                found.distance, 1e-12);
   }
 }
 

@@ -24,5 +24,14 @@ RC_GTEST_PROP(Angle, WrappedIsCongruentAndInRange, (int degrees, unsigned char n
   RC_ASSERT(std::abs(turns - std::round(turns)) < 1e-6);
 }
 
+// Of vectors of any length, and as exact next to 0 and 180 degrees as anywhere.
+RC_GTEST_PROP(Angle, BetweenTwoVectorsIsTheAngleThatOneWasTurnedBy, (int n, unsigned char length)) {
+  const double exact = 3.0 * std::pow(10.0, -std::abs(n % 10));
+  const Vec3 a = (1.0 + length) * Vec3(0.6, 0.0, 0.8), aside = Vec3(0.0, 1.0, 0.0);
+  const Vec3 b = std::cos(exact) * a.normalized() + std::sin(exact) * aside;
+  RC_ASSERT(std::abs(Angle::between(a, b).radians() - exact) <= 1e-15);
+  RC_ASSERT(std::abs(Angle::between(a, -b).radians() - (kPi - exact)) <= 1e-15);
+}
+
 }  // namespace
 }  // namespace patchmill

@@ -47,21 +47,24 @@ void expect_axes(const Kinematics& k, const std::vector<AxisTarget>& targets, co
   ASSERT_TRUE(plan.complete) << name << ": " << plan.reason;
   ASSERT_EQ(plan.joints.size(), targets.size());
   for (std::size_t i = 0; i < targets.size(); ++i)
-    ASSERT_LT(angle_between(tool_axis(k, plan.joints[i]), targets[i].axis), tolerance) << name;
+    ASSERT_LT(Angle::between(tool_axis(k, plan.joints[i]), targets[i].axis).radians(), tolerance)
+        << name;
 }
 
 // On the way between two ends, angles running linearly, the axis stays near both of its ends.
 void expect_no_jump(const Kinematics& k, const std::vector<AxisTarget>& targets,
                     const JointPlan& plan, const char* name) {
   for (std::size_t i = 1; i < targets.size(); ++i) {
-    const double step = angle_between(targets[i - 1].axis, targets[i].axis);
+    const double step = Angle::between(targets[i - 1].axis, targets[i].axis).radians();
     for (double s = 0.1; s < 1.0; s += 0.2) {
       Joints q{};
       for (int j = 0; j < 2; ++j)
         q[j] = plan.joints[i - 1][j] + s * (plan.joints[i][j] - plan.joints[i - 1][j]);
       const Vec3 t = tool_axis(k, q);
-      ASSERT_LE(angle_between(t, targets[i].axis), 1.6 * step + 1e-8) << name << " " << i;
-      ASSERT_LE(angle_between(t, targets[i - 1].axis), 1.6 * step + 1e-8) << name << " " << i;
+      ASSERT_LE(Angle::between(t, targets[i].axis).radians(), 1.6 * step + 1e-8)
+          << name << " " << i;
+      ASSERT_LE(Angle::between(t, targets[i - 1].axis).radians(), 1.6 * step + 1e-8)
+          << name << " " << i;
     }
   }
 }

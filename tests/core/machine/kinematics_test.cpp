@@ -20,8 +20,9 @@ Vec3 from_work(const RotaryAxis& axis) {
 // must lie between the difference and the sum of the cones' angles.
 double inside_reach(const Kinematics& k, const Vec3& t) {
   const Vec3 u1 = from_work(k.rotary[0]), u2 = from_work(k.rotary[1]);
-  const double between = angle_between(u1, u2), cone = angle_between(u2, Vec3::UnitZ());
-  const double to_axis = angle_between(u1, t);
+  const double between = Angle::between(u1, u2).radians(),
+               cone = Angle::between(u2, Vec3::UnitZ()).radians();
+  const double to_axis = Angle::between(u1, t).radians();
   const double sum = between + cone > kPi ? 2.0 * kPi - between - cone : between + cone;
   return std::min(to_axis - std::abs(between - cone), sum - to_axis);
 }
@@ -40,7 +41,7 @@ TEST(Kinematics, AxisToAnglesToAxisIsRightTo1e12) {
       ASSERT_EQ(s.count, inside > 0.0 ? 2 : 0) << name << " " << t.transpose();
       (inside > 0.0 ? reached : refused) += 1;
       for (const AxisSolution& one : s)
-        worst = std::max(worst, angle_between(tool_axis(k, one.joints), t));
+        worst = std::max(worst, Angle::between(tool_axis(k, one.joints), t).radians());
     }
     EXPECT_LT(worst, 1e-12) << name;
     EXPECT_GT(reached, kAxes / 4) << name;
@@ -61,7 +62,8 @@ TEST(Kinematics, RightBesideThePolesToo) {
       const AxisSolutions s = solve_axis(k, t);
       ASSERT_GE(s.count, 1) << name << " " << off;
       for (const AxisSolution& one : s)
-        ASSERT_LT(angle_between(tool_axis(k, one.joints), t), 1e-12) << name << " " << off;
+        ASSERT_LT(Angle::between(tool_axis(k, one.joints), t).radians(), 1e-12)
+            << name << " " << off;
     }
 }
 
@@ -156,7 +158,8 @@ TEST(Kinematics, ThreeAndFourAxes) {
   require_valid(mill);
   const Vec3 t(0.0, std::sin(0.5), std::cos(0.5));
   ASSERT_EQ(solve_axis(mill, t).count, 1);
-  EXPECT_LT(angle_between(tool_axis(mill, solve_axis(mill, t).solution[0].joints), t), 1e-12);
+  EXPECT_LT(Angle::between(tool_axis(mill, solve_axis(mill, t).solution[0].joints), t).radians(),
+            1e-12);
   EXPECT_EQ(solve_axis(mill, Vec3(0.01, 0.0, 1.0).normalized()).count, 0);
 }
 

@@ -67,7 +67,8 @@ TEST(Postures, TheBallMeetsEachDimpleAndThePhaseCountsTheTable) {
       const SurfacePoint& s = c.dimples[static_cast<std::size_t>(move.dimple)].surface;
       EXPECT_LT((ball_centre(move.end, kTool.radius) - (s.position + s.normal)).norm(), 1e-4)
           << name;
-      EXPECT_LT(angle_between(move.end.axis, tool_axis(machine, path.joints[i + 1])), 1e-12);
+      EXPECT_LT(Angle::between(move.end.axis, tool_axis(machine, path.joints[i + 1])).radians(),
+                1e-12);
       // seen from the housing, which does not turn: the rotary axes have turned the normal
       const Vec3 n = housing_to_work(machine, path.joints[i + 1]).transpose() * s.normal;
       const double azimuth = std::atan2(-n.y(), -n.x());
@@ -127,7 +128,7 @@ TEST(Postures, BothFormsComeBackToTheSameTips) {
             if (!std::isnan(back.moves[r].turns)) turns += back.moves[r].turns;
             if ((back.moves[r].end.tip - move.end.tip).norm() < 1e-9) break;
           }
-          ASSERT_LT(angle_between(back.moves[r].end.axis, move.end.axis), 1e-9);
+          ASSERT_LT(Angle::between(back.moves[r].end.axis, move.end.axis).radians(), 1e-9);
           ++r;
           ASSERT_NEAR(turns, planned, 1e-6) << name;
           from = move.end;

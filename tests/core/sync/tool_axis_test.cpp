@@ -13,10 +13,6 @@
 namespace patchmill {
 namespace {
 
-double between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 // A row over a cylinder of radius 20 along Y, its normals from -30 to 30 degrees in the X-Z plane.
 Dimples row_over_cylinder(int count) {
   Dimples dimples;
@@ -45,9 +41,9 @@ TEST(ToolAxis, LeadAndTiltAreAngledFromTheNormal) {
   for (std::size_t k = 1; k + 1 < row.size(); ++k) {
     const Vec3& n = row[k].surface.normal;
     const Vec3 feed = (row[k + 1].surface.position - row[k - 1].surface.position).normalized();
-    EXPECT_NEAR(between(ahead[k], n), Angle::degrees(12.0).radians(), 1e-12);
+    EXPECT_NEAR(Angle::between(ahead[k], n).radians(), Angle::degrees(12.0).radians(), 1e-12);
     EXPECT_GT(ahead[k].dot(feed), 0.2);
-    EXPECT_NEAR(between(aside[k], n), Angle::degrees(7.0).radians(), 1e-12);
+    EXPECT_NEAR(Angle::between(aside[k], n).radians(), Angle::degrees(7.0).radians(), 1e-12);
     EXPECT_NEAR(aside[k].dot(feed), 0.0, 1e-12);
     EXPECT_GT(aside[k].dot(n.cross(feed)), 0.1);  // to the left of the feed
   }
@@ -66,11 +62,11 @@ TEST(ToolAxis, MinimumLeadLeavesAloneWhatIsFarEnough) {
   int moved = 0;
   for (std::size_t k = 0; k < row.size(); ++k) {
     const Vec3& n = row[k].surface.normal;
-    EXPECT_GE(between(axes[k], n), Angle::degrees(10.0).radians() - 1e-12);
-    if (between(n, Vec3::UnitZ()) >= Angle::degrees(10.0).radians()) {
+    EXPECT_GE(Angle::between(axes[k], n).radians(), Angle::degrees(10.0).radians() - 1e-12);
+    if (Angle::between(n, Vec3::UnitZ()).radians() >= Angle::degrees(10.0).radians()) {
       EXPECT_EQ(axes[k], Vec3(Vec3::UnitZ()));
     } else {
-      EXPECT_NEAR(between(axes[k], n), Angle::degrees(10.0).radians(), 1e-12);
+      EXPECT_NEAR(Angle::between(axes[k], n).radians(), Angle::degrees(10.0).radians(), 1e-12);
       ++moved;
     }
   }
@@ -105,7 +101,7 @@ TEST(ToolAxis, SmoothingStaysWithinItsTolerance) {
   rule.smoothing = Angle::degrees(4.0);
   const auto smooth = tool_axes(row, rule);
   for (std::size_t k = 0; k < row.size(); ++k)
-    EXPECT_LE(between(smooth[k], rough[k]), Angle::degrees(4.0).radians() + 1e-12);
+    EXPECT_LE(Angle::between(smooth[k], rough[k]).radians(), Angle::degrees(4.0).radians() + 1e-12);
   EXPECT_LT(roughness(smooth), 0.2 * roughness(rough));
 }
 
@@ -120,10 +116,10 @@ TEST(ToolAxis, AFieldIsTakenAsItIsButLeanedAwayFromTheNormal) {
   rule.least_lead = Angle::degrees(10.0);
   const auto axes = tool_axes(row, rule);
   for (std::size_t k = 0; k < row.size(); ++k) {
-    const double asked = between(rule.field[k], row[k].surface.normal);
-    const double now = between(axes[k], row[k].surface.normal);
+    const double asked = Angle::between(rule.field[k], row[k].surface.normal).radians();
+    const double now = Angle::between(axes[k], row[k].surface.normal).radians();
     EXPECT_NEAR(now, std::max(asked, rule.least_lead.radians()), 1e-9);
-    EXPECT_NEAR(between(axes[k], rule.field[k]), now - asked, 1e-9);
+    EXPECT_NEAR(Angle::between(axes[k], rule.field[k]).radians(), now - asked, 1e-9);
   }
 }
 
@@ -131,7 +127,7 @@ TEST(ToolAxis, WidestTiltIsKept) {
   ToolAxisRule rule = normal_rule(20.0, 0.0);
   rule.widest = Angle::degrees(25.0);
   for (const Vec3& t : tool_axes(row_over_cylinder(31), rule))
-    EXPECT_LE(between(t, Vec3::UnitZ()), Angle::degrees(25.0).radians() + 1e-12);
+    EXPECT_LE(Angle::between(t, Vec3::UnitZ()).radians(), Angle::degrees(25.0).radians() + 1e-12);
 }
 
 TEST(ToolAxis, RowsKeepOneAxisWithinTheTolerance) {
@@ -140,7 +136,7 @@ TEST(ToolAxis, RowsKeepOneAxisWithinTheTolerance) {
   const auto axes = axes_by_row(row, asked, Angle::degrees(8.0));
   int pieces = 1;
   for (std::size_t k = 0; k < row.size(); ++k) {
-    EXPECT_LE(between(axes[k], asked[k]), Angle::degrees(8.0).radians() + 1e-12);
+    EXPECT_LE(Angle::between(axes[k], asked[k]).radians(), Angle::degrees(8.0).radians() + 1e-12);
     if (k && axes[k] != axes[k - 1]) ++pieces;
   }
   EXPECT_EQ(pieces, 4);  // 60 degrees of normals in pieces of less than 16
@@ -168,10 +164,11 @@ TEST(ToolAxis, ARowKeepsTheAxisBeforeAsFarAsHalfTheTolerance) {
     std::vector<Vec3> asked(20, tilted(1.0));
     std::fill(asked.begin() + 10, asked.end(), tilted(1.0 + apart));
     const auto axes = axes_by_row(rows, asked, Angle::degrees(10.0));
-    for (int k = 0; k < 10; ++k) EXPECT_LT(between(axes[k], asked[k]), 1e-12);
+    for (int k = 0; k < 10; ++k) EXPECT_LT(Angle::between(axes[k], asked[k]).radians(), 1e-12);
     // both rows ask for one axis each: the second stands still, or turns all but five degrees
     const double turned = std::max(0.0, apart - 5.0);
-    for (int k = 10; k < 20; ++k) EXPECT_LT(between(axes[k], tilted(1.0 + turned)), 1e-9) << apart;
+    for (int k = 10; k < 20; ++k)
+      EXPECT_LT(Angle::between(axes[k], tilted(1.0 + turned)).radians(), 1e-9) << apart;
     EXPECT_EQ(axes[9] == axes[10], apart < 5.0);
   }
 }
@@ -187,7 +184,7 @@ TEST(ToolAxis, KeepingARowsAxisNeverLeavesTheTolerance) {
           Vec3(wander(random), wander(random) + (k < 10 ? 0.0 : 0.15), 1.0).normalized());
     const auto axes = axes_by_row(rows, asked, Angle::degrees(9.0));
     for (int k = 0; k < 20; ++k)
-      EXPECT_LE(between(axes[k], asked[k]), Angle::degrees(9.0).radians() + 1e-12);
+      EXPECT_LE(Angle::between(axes[k], asked[k]).radians(), Angle::degrees(9.0).radians() + 1e-12);
   }
 }
 

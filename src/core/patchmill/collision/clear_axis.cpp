@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/collision/clear_axis.h"
 
+#include "patchmill/collision/frustum_search.h"
 #include "patchmill/geometry/error.h"
 
 #include <algorithm>
@@ -12,82 +13,20 @@ namespace {
 
 constexpr double kTurn = 2.0 * kPi;
 
-// Least signed distance of the part from the sections of a tool.
-class Finder {
- public:
-  // Distances below `stop` need not be found any better.
-  Finder(const TriangleBvh& part, const Vec3& centre, const Vec3& axis, double resolution,
-         double stop)
-      : part_(part), centre_(centre), axis_(axis), resolution_(resolution), stop_(stop) {}
-
-  /// To the resolution, and no more than `enough`; below `stop` some distance that is.
-  double least(const std::vector<HolderSection>& holder, double enough) {
-    best_ = enough;
-    for (const HolderSection& section : holder) {
-      search(section);
-      if (best_ < stop_) break;
-    }
-    return best_;
+// Least signed distance [mm] from the sections of a holder, to the resolution, and no more than `enough`; below
+// `stop` some distance that is. Where it is goes to `point`.
+double least_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+                      const Vec3& centre, const Vec3& axis, double resolution, double stop,
+                      double enough, Vec3* point = nullptr) {
+  FrustumSearch search(part, centre, axis, resolution, stop);
+  double best = enough;
+  for (const HolderSection& section : holder) {
+    best = search.nearer(section, best);
+    if (best < stop) break;
   }
-
-  /// Where on the part it is.
-  const Vec3& place() const { return place_; }
-
- private:
-  bool decided(double bound) const { return best_ < stop_ || bound >= best_ - resolution_; }
-
-  // No point of the box is nearer.
-  double bound(const HolderSection& section, const BvhNode& node) const {
-    const auto d = frustum_distance(section, centre_, axis_, 0.5 * (node.lo + node.hi));
-    return d.value - 0.5 * d.gradient.cwiseAbs().dot(node.hi - node.lo);
-  }
-
-  void search(const HolderSection& section) {
-    struct Visit {
-      std::int32_t node;
-      double bound;
-    };
-    Visit stack[64];
-    int top = 0;
-    stack[top++] = {0, bound(section, part_.nodes()[0])};
-    while (top > 0) {
-      const Visit visit = stack[--top];
-      if (decided(visit.bound)) continue;
-      const BvhNode& node = part_.nodes()[visit.node];
-      for (std::int32_t i = node.first; i < node.first + node.count; ++i)
-        look(section, part_.triangles()[i]);
-      if (node.count > 0) continue;
-      const double l = bound(section, part_.nodes()[node.first]);
-      const double r = bound(section, part_.nodes()[node.first + 1]);
-      stack[top++] = {node.first + (l <= r ? 1 : 0), std::max(l, r)};
-      stack[top++] = {node.first + (l <= r ? 0 : 1), std::min(l, r)};
-    }
-  }
-
-  void look(const HolderSection& section, const Triangle& t) {
-    const Vec3 middle = (t.a + t.b + t.c) / 3.0;
-    const auto d = frustum_distance(section, centre_, axis_, middle);
-    if (d.value < best_) {
-      best_ = d.value;
-      place_ = middle;
-    }
-    const Vec3& g = d.gradient;
-    if (decided(d.value +
-                std::min({g.dot(t.a - middle), g.dot(t.b - middle), g.dot(t.c - middle)})))
-      return;
-    const double ab = (t.b - t.a).norm(), bc = (t.c - t.b).norm(), ca = (t.a - t.c).norm();
-    if (ab < std::max(bc, ca)) return look(section, {t.b, t.c, t.a});  // the longest side in front
-    const Vec3 half = 0.5 * (t.a + t.b);
-    look(section, {t.c, t.a, half});
-    look(section, {t.b, t.c, half});
-  }
-
-  const TriangleBvh& part_;
-  Vec3 centre_, axis_;
-  double resolution_, stop_;
-  double best_ = 0.0;
-  Vec3 place_ = Vec3::Zero();
-};
+  if (point != nullptr) *point = search.point();
+  return best;
+}
 
 // Is an axis clear? A distance that is found may be too large by the resolution: so much is asked for beyond the
 // clearance. Points of the part that were in the way before are asked first, the last one of all.
@@ -104,10 +43,12 @@ class Judge {
   bool clear(const Vec3& axis) {
     if (axis.z() < std::cos(options_.lowest.radians()) - 1e-12 || blocked_before(axis))
       return false;
-    Finder finder(part_, centre_, axis, options_.resolution, asked_);
-    if (finder.least(holder_, asked_ + options_.resolution) >= asked_) return true;
+    Vec3 blocker;
+    if (least_distance(part_, holder_, centre_, axis, options_.resolution, asked_,
+                       asked_ + options_.resolution, &blocker) >= asked_)
+      return true;
     if (blockers_.size() == kMost) blockers_.pop_back();
-    blockers_.insert(blockers_.begin(), finder.place());
+    blockers_.insert(blockers_.begin(), blocker);
     return false;
   }
 
@@ -153,7 +94,7 @@ void check(const std::vector<HolderSection>& holder, const ClearOptions& o) {
 
 double holder_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
                        const Vec3& centre, const Vec3& axis, double resolution, double enough) {
-  const double d = Finder(part, centre, axis, resolution, resolution).least(holder, enough);
+  const double d = least_distance(part, holder, centre, axis, resolution, resolution, enough);
   return d < resolution ? 0.0 : d;
 }
 
@@ -194,7 +135,7 @@ PathClearance path_clearance(const TriangleBvh& part, const std::vector<HolderSe
   ToolPose from = path.start;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const ToolPose to = path.moves[i].end;
-    const double turn = std::atan2(from.axis.cross(to.axis).norm(), from.axis.dot(to.axis));
+    const double turn = Angle::between(from.axis, to.axis).radians();
     const double travel = (to.tip - from.tip).norm();
     const int steps =
         1 + static_cast<int>(std::max(travel / step, turn / Angle::degrees(1).radians()));

@@ -1,11 +1,9 @@
 // Collision-aware posture: the axis yields before shank or holder come nearer to the part than a stated
 // distance. Kobayashi & Shirase 2014, section 4.2, left collisions out.
 //
-// Each section of the tool is a frustum, a convex body. The tree of the part's boxes is searched for the least
-// signed distance from it; the tangent plane of that distance in the middle of a box or a triangle (frustum.h)
-// bounds it there, and what cannot come below the least found so far by more than the resolution is left out
-// (branch and bound); triangles are halved until that decides. A point of the part that was in the way of one
-// axis is tried first with the next. The ball itself touches the part and is not looked at.
+// Each section of the tool is a frustum, and the part's tree is searched for the least distance from it
+// (frustum_search.h). A point of the part that was in the way of one axis is tried first with the next. The ball
+// itself touches the part and is not looked at.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -16,6 +14,9 @@
 #include <vector>
 
 namespace patchmill {
+
+/// A section of shank or holder; heights above the ball centre [mm], 0 < from.
+using HolderSection = Frustum;
 
 struct ClearOptions {
   double clearance = 1.0;             ///< that is kept between holder and part [mm], > 0, <= 1e4

@@ -117,7 +117,7 @@ struct Swing {
       : from(a),
         to(b),
         turn(Eigen::Quaterniond::FromTwoVectors(a.axis, b.axis)),
-        angle(std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis))) {}
+        angle(Angle::between(a.axis, b.axis).radians()) {}
 
   ToolPose at(double share) const {
     const Vec3 axis = angle > 0.0

@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "patchmill/collision/frustum.h"
 #include "patchmill/geometry/progress.h"
 #include "patchmill/path/tool_path.h"
 
@@ -32,6 +33,8 @@ struct ToolSection {
   ToolPart part = ToolPart::Shank;
   double from = 0.0, to = 0.0;                ///< heights above the tip [mm], 0 <= from < to <= 1e6
   double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e6
+
+  Frustum frustum() const { return {from, to, radius_from, radius_to}; }
 };
 
 /// How near a section comes to the part, negative by how deep the part reaches into it, and where [mm].

@@ -19,7 +19,7 @@ struct Flat {
   Vec2 gradient;  // along height and radius
 };
 
-Flat inside_or_outside(const HolderSection& s, const Vec2& p) {
+Flat inside_or_outside(const Frustum& s, const Vec2& p) {
   const Vec2 low(s.from, s.radius_from), high(s.to, s.radius_to);
   const Vec2 slant = (high - low).normalized(), out(-slant.y(), slant.x());
   const double below = s.from - p.x(), above = p.x() - s.to, beyond = out.dot(p - low);
@@ -36,13 +36,13 @@ Flat inside_or_outside(const HolderSection& s, const Vec2& p) {
 
 }  // namespace
 
-SignedDistance frustum_distance(const HolderSection& section, const Vec3& centre, const Vec3& axis,
+SignedDistance frustum_distance(const Frustum& frustum, const Vec3& origin, const Vec3& axis,
                                 const Vec3& p) {
-  const Vec3 from_centre = p - centre;
-  const double height = axis.dot(from_centre);
-  const Vec3 across = from_centre - height * axis;
+  const Vec3 from_origin = p - origin;
+  const double height = axis.dot(from_origin);
+  const Vec3 across = from_origin - height * axis;
   const double radius = across.norm();
-  const Flat flat = inside_or_outside(section, Vec2(height, radius));
+  const Flat flat = inside_or_outside(frustum, Vec2(height, radius));
   SignedDistance out{flat.value, flat.gradient.x() * axis};
   // on the axis itself no direction is steeper than another: none is a subgradient too
   if (radius > 1e-12) out.gradient += flat.gradient.y() / radius * across;

@@ -10,9 +10,9 @@
 
 namespace patchmill {
 
-/// A frustum about the tool axis.
-struct HolderSection {
-  double from = 0.0, to = 0.0;  ///< heights above the ball centre [mm], 0 < from < to, <= 1e4 long
+/// A frustum about an axis.
+struct Frustum {
+  double from = 0.0, to = 0.0;  ///< heights along the axis [mm], from < to, <= 1e4 long
   double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e4
 };
 
@@ -21,8 +21,8 @@ struct SignedDistance {
   Vec3 gradient = Vec3::Zero();  ///< a subgradient, at most of unit length
 };
 
-/// Of `p` from the section of a tool whose ball centre is `centre` and whose unit axis is `axis`.
-SignedDistance frustum_distance(const HolderSection& section, const Vec3& centre, const Vec3& axis,
+/// Of `p` from the frustum whose heights are counted from `origin` along the unit `axis`.
+SignedDistance frustum_distance(const Frustum& frustum, const Vec3& origin, const Vec3& axis,
                                 const Vec3& p);
 
 }  // namespace patchmill

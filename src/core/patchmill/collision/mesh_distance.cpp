@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/collision/mesh_distance.h"
 
-#include "patchmill/collision/section_distance.h"
+#include "patchmill/collision/frustum_search.h"
 #include "patchmill/mesh/triangle_bvh.h"
 
 #include <algorithm>
@@ -75,6 +75,14 @@ class Solid {
 };
 
 }  // namespace
+
+SectionDistance nearest_section(const TriangleBvh& bvh, const ToolSection& section,
+                                const ToolPose& pose, double enough) {
+  constexpr double kExact = 1e-6;  // mm
+  FrustumSearch search(bvh, pose.tip, pose.axis, kExact, -std::numeric_limits<double>::infinity());
+  const double nearest = search.nearer(section.frustum(), enough);
+  return {nearest, search.point()};
+}
 
 PartShape shape_from_mesh(const TriangleMesh& mesh) {
   require_closed(mesh, "Part");

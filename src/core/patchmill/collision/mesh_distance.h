@@ -3,7 +3,7 @@
 #pragma once
 
 #include "patchmill/collision/clearance.h"
-#include "patchmill/mesh/triangle_mesh.h"
+#include "patchmill/mesh/triangle_bvh.h"
 
 namespace patchmill {
 
@@ -15,6 +15,10 @@ PartDistance distance_from_mesh(const TriangleMesh& mesh);
 /// The same solid with the distances of tool sections: least over the mesh of the signed distance from the
 /// section, which is convex, so that its tangent at one place bounds it over a whole box or triangle.
 PartShape shape_from_mesh(const TriangleMesh& mesh);
+
+/// The nearest point of the mesh, to 1e-6 mm; if none is nearer than `enough`, that as the distance.
+SectionDistance nearest_section(const TriangleBvh& bvh, const ToolSection& section,
+                                const ToolPose& pose, double enough);
 
 /// Several solids as one part; none: a part without a distance.
 PartShape join(std::vector<PartShape> parts);

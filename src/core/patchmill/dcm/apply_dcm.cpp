@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kProbesPerVoxel = 4.0;
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 // One move of the given path: ball centre and tip go in straight lines from s = 0 to s = 1.
 struct Span {
   ToolPose from, to;
@@ -113,10 +109,11 @@ class Divider {
       const Sample m = sample(s, t0 + u * (t1 - t0));
       low = std::min(low, m.feed);
       high = std::max(high, m.feed);
-      off = std::max(off, angle_between(m.axis, (a.axis + u * (b.axis - a.axis)).normalized()));
+      off = std::max(
+          off, Angle::between(m.axis, (a.axis + u * (b.axis - a.axis)).normalized()).radians());
       pace += m.feed > 0.0 ? 1.0 / m.feed : 0.0;
     }
-    const double turn = angle_between(a.axis, b.axis);
+    const double turn = Angle::between(a.axis, b.axis).radians();
     const bool good = off <= options_.axis_tolerance.radians() &&
                       high - low <= 2.0 * options_.feed_tolerance &&
                       radius() * turn * turn / 8.0 <= options_.centre_tolerance;
@@ -144,7 +141,7 @@ class Divider {
     for (std::size_t i = 1; i < cuts.size(); ++i) {
       if (cuts[i] - cuts[i - 1] < 1e-9 && s.length > 0.0) continue;
       const Sample here = sample(s, 0.5 * (cuts[i - 1] + cuts[i]));
-      if (angle_between(here.axis, last_axis()) > 1e-9)
+      if (Angle::between(here.axis, last_axis()).radians() > 1e-9)
         emit(s, move, cuts[i - 1], here.axis, 0.0, 0.0);
       emit(s, move, cuts[i], here.axis, cuts[i] - cuts[i - 1], here.feed);
     }
@@ -163,7 +160,7 @@ class Divider {
     next.turns =
         feed_ && speed > 0.0 ? path_.spindle.speed * share * s.length / speed : share * move.turns;
     if (share == 0.0) next.turns = 0.0;
-    const double slowest = angle_between(axis, last_axis()) / options_.axis_rate;
+    const double slowest = Angle::between(axis, last_axis()).radians() / options_.axis_rate;
     if (next.turns < slowest * path_.spindle.speed) next.turns = slowest * path_.spindle.speed;
     out_.moves.push_back(next);
   }
@@ -242,7 +239,7 @@ PathSteps path_steps(const ToolPath& path) {
   for (const Move& move : path.moves) {
     const Vec3 way = ball_centre(move.end, path.tool.radius) - ball_centre(from, path.tool.radius);
     const double length = way.norm();
-    const double turn = angle_between(from.axis, move.end.axis);
+    const double turn = Angle::between(from.axis, move.end.axis).radians();
     from = move.end;
     if (move.kind == MoveKind::Rapid) {
       last = std::numeric_limits<double>::quiet_NaN();

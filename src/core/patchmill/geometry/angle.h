@@ -4,6 +4,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "patchmill/geometry/vec.h"
+
 #include <cmath>
 
 namespace patchmill {
@@ -16,6 +18,11 @@ class Angle {
   static constexpr Angle radians(double r) { return Angle(r); }
   static constexpr Angle degrees(double d) { return Angle(d * (kPi / 180.0)); }
   static constexpr Angle turns(double n) { return Angle(n * (2.0 * kPi)); }
+
+  /// Between two vectors of any length but 0, in [0, pi]; as exact for small angles as for large.
+  static Angle between(const Vec3& a, const Vec3& b) {
+    return radians(std::atan2(a.cross(b).norm(), a.dot(b)));
+  }
 
   constexpr double radians() const { return rad_; }
   constexpr double degrees() const { return rad_ * (180.0 / kPi); }

@@ -23,10 +23,6 @@ double exsec(double x) {
   return 2.0 * s * s / std::cos(x);
 }
 
-double turning_angle(const Vec3& before, const Vec3& after) {
-  return std::atan2(before.cross(after).norm(), before.dot(after));
-}
-
 // The turning angle below which the controller sees no corner: at the greatest speed that it may
 // have there, the change of velocity within one period stays a small share of the acceleration.
 double overlooked_angle(const Vec3& before, const Vec3& after, const MotionModel& model) {
@@ -98,7 +94,7 @@ std::vector<Corner> corners(const ToolPath& path, const MotionModel& model) {
     if (before.isZero() || after.isZero()) continue;
     // a move with an exact stop at its end does not hold the tolerance of its beginning
     const double next = posted[i + 1] > 0.0 ? posted[i + 1] : posted[i];
-    const double angle = turning_angle(before, after);
+    const double angle = Angle::between(before, after).radians();
     if (angle < overlooked_angle(before, after, model)) continue;
     result[i] = corner_blend(angle, std::min(posted[i], next), before.norm(), after.norm(),
                              model.acceleration);

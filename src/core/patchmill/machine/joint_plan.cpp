@@ -118,7 +118,8 @@ class Planner {
     const Vec3 wanted = r.transpose() * axis;
     const Vec3 a = Vec3::UnitZ() - u * u.z(), b = wanted - u * u.dot(wanted);
     q[1] = nearest_turn(std::atan2(u.dot(a.cross(b)), a.dot(b)), q[1]);
-    return within(second, q[1]) && angle_between(tool_axis(machine_, q), axis) <= tolerance_;
+    return within(second, q[1]) &&
+           Angle::between(tool_axis(machine_, q), axis).radians() <= tolerance_;
   }
   void offer(std::size_t i, std::size_t p, const Joints& q) {
     const State& from = layers_[i - 1][p];
@@ -147,8 +148,8 @@ class Planner {
     const Vec3 sum = a + b;
     if (sum.norm() < 1e-9) return true;  // opposite directions: any way will do
     const Joints middle{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
-    return angle_between(tool_axis(machine_, middle), sum.normalized()) <=
-           angle_between(a, b) + 1e-9;
+    return Angle::between(tool_axis(machine_, middle), sum.normalized()).radians() <=
+           Angle::between(a, b).radians() + 1e-9;
   }
 
   JointPlan traced(std::size_t first) {

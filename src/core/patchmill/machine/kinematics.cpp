@@ -51,7 +51,7 @@ void add(const Kinematics& machine, const Vec3& axis, const Vec3& between, AxisS
   found.joints[1] = angle_about(u2, Vec3::UnitZ(), between);
   found.pole = u1.cross(axis).norm() < kAtPole;
   if (!found.pole) found.joints[0] = angle_about(u1, between, axis);
-  if (angle_between(tool_axis(machine, found.joints), axis) > kReach) return;
+  if (Angle::between(tool_axis(machine, found.joints), axis).radians() > kReach) return;
   for (const AxisSolution& known : out)
     if (known.pole || (std::abs(known.joints[0] - found.joints[0]) < kSame &&
                        std::abs(known.joints[1] - found.joints[1]) < kSame))
@@ -61,7 +61,7 @@ void add(const Kinematics& machine, const Vec3& axis, const Vec3& between, AxisS
 
 AxisSolutions without_rotary(const Vec3& axis) {
   AxisSolutions out;
-  if (angle_between(Vec3::UnitZ(), axis) <= kReach) out.count = 1;
+  if (Angle::between(Vec3::UnitZ(), axis).radians() <= kReach) out.count = 1;
   return out;
 }
 
@@ -70,16 +70,12 @@ AxisSolutions with_one(const Kinematics& machine, const Vec3& axis) {
   const Vec3 u = as_seen_from_work(machine.rotary[0]);
   AxisSolution found;
   found.joints[0] = angle_about(u, Vec3::UnitZ(), axis);
-  if (angle_between(tool_axis(machine, found.joints), axis) <= kReach)
+  if (Angle::between(tool_axis(machine, found.joints), axis).radians() <= kReach)
     out.solution[out.count++] = found;
   return out;
 }
 
 }  // namespace
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 void require_valid(const Kinematics& machine) {
   const auto& axes = machine.rotary;
@@ -184,9 +180,9 @@ AxisSolutions solve_axis(const Kinematics& machine, const Vec3& axis) {
   const Vec3 across = u1.cross(u2);
   const double square = across.squaredNorm();
   const double a = (z1 - cosine * z2) / square, b = (z2 - cosine * z1) / square;
-  const double c =
-      volume(angle_between(u1, axis), angle_between(u1, u2), angle_between(u2, Vec3::UnitZ())) /
-      square;
+  const double c = volume(Angle::between(u1, axis).radians(), Angle::between(u1, u2).radians(),
+                          Angle::between(u2, Vec3::UnitZ()).radians()) /
+                   square;
   const Vec3 middle = a * u1 + b * u2;
   AxisSolutions out;
   add(machine, axis, (middle + c * across).normalized(), out);

@@ -95,7 +95,4 @@ struct AxisSolutions {
 /// axes reach has none.
 AxisSolutions solve_axis(const Kinematics& machine, const Vec3& axis);
 
-/// Angle between two unit vectors, accurate at 0 [rad].
-double angle_between(const Vec3& a, const Vec3& b);
-
 }  // namespace patchmill

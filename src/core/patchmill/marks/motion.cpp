@@ -27,7 +27,7 @@ void append_move(const MotionNode from, const Vec3& from_tip, const MotionNode& 
                  const Vec3& to_tip, double radius, double tolerance, MotionRun& run) {
   const auto turn = Eigen::Quaterniond::FromTwoVectors(from.axis, to.axis);
   const double about = twist(turn * from.housing_x, to.housing_x, to.axis);
-  const double bend = std::atan2(from.axis.cross(to.axis).norm(), from.axis.dot(to.axis));
+  const double bend = Angle::between(from.axis, to.axis).radians();
   const double longest = std::sqrt(8.0 * tolerance / radius);
   const int pieces = 1 + static_cast<int>(std::hypot(bend, about) / longest);
   for (int i = 1; i < pieces; ++i) {

@@ -15,7 +15,7 @@ namespace {
 
 void add_statistics(const std::vector<DimpleMark>& found, double spacing, PlanComparison& out) {
   double count = 0, squares = 0, depth = 0, depth_squares = 0, score = 0;
-  for (const PlanMatch& match : out.matches) {
+  for (const DimpleMatch& match : out.matches) {
     if (match.found < 0) {
       ++out.missing;
       continue;
@@ -60,7 +60,7 @@ PlanComparison compare_with_plan(const std::vector<DimpleMark>& found,
   PlanComparison out;
   std::vector<bool> taken(found.size(), false);
   for (std::size_t k = 0; k < planned.size(); ++k) {
-    PlanMatch match;
+    DimpleMatch match;
     match.dimple = planned[k].dimple;
     const std::size_t f = found_index.nearest(planned_at[k]);
     if (f != PlaceIndex::kNobody && !taken[f] && planned_index.nearest(found_places[f]) == k &&

@@ -17,15 +17,15 @@ struct PlannedPlace {
 std::vector<PlannedPlace> planned_places(const Dimples& dimples, const TexturePlane& plane);
 
 /// What became of one planned dimple.
-struct PlanMatch {
+struct DimpleMatch {
   std::int32_t dimple = 0;
   std::int32_t found = -1;    ///< index of the dimple found there; -1: missing
   Vec2 moved = Vec2::Zero();  ///< from the plan to where it was found [mm]
 };
 
 struct PlanComparison {
-  std::vector<PlanMatch> matches;   ///< one per planned dimple, in the plan's order
-  std::vector<std::int32_t> extra;  ///< indices of dimples found that were not planned
+  std::vector<DimpleMatch> matches;  ///< one per planned dimple, in the plan's order
+  std::vector<std::int32_t> extra;   ///< indices of dimples found that were not planned
   std::int64_t missing = 0;
   Vec2 mean_move = Vec2::Zero();  ///< of those that were found [mm]
   double rms_move = 0.0;          ///< [mm]; NaN if none was found

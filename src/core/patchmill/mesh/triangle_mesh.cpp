@@ -121,7 +121,7 @@ std::vector<std::array<Vec3, 3>> corner_normals(const TriangleMesh& mesh, Angle 
     for (int k = 0; k < 3; ++k) {
       const Vec3 p = mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]];
       const Vec3 q = mesh.vertices[t[(k + 2) % 3]] - mesh.vertices[t[k]];
-      weight[i][k] = std::atan2(p.cross(q).norm(), p.dot(q));
+      weight[i][k] = Angle::between(p, q).radians();
       around[t[k]].push_back(static_cast<std::int32_t>(3 * i) + k);
     }
   }

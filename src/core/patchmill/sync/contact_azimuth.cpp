@@ -9,7 +9,7 @@
 namespace patchmill {
 
 Angle tilt(const Vec3& normal, const Vec3& axis) {
-  return Angle::radians(std::atan2(normal.cross(axis).norm(), normal.dot(axis)));
+  return Angle::between(normal, axis);
 }
 
 Angle contact_azimuth(const Vec3& n) {

@@ -124,14 +124,12 @@ class Builder {
                                  : rule_.turning[static_cast<std::size_t>(planned_[i + 1].number)];
   }
   bool same_patch(std::size_t i) const { return planned_[i].patch == planned_[i + 1].patch; }
-  double angle(const Vec3& a, const Vec3& b) const {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-  }
   /// The largest kink that the coarsest rounding passes at speed.
   bool smooth(const Vec3& a, const Vec3& b) const {
     const double v = kRowHeadroom * shape_speed_;
-    return angle(a, b) < 0.5 &&
-           tolerance_for_speed(angle(a, b), v, model_.acceleration) <= kCoarsestRow;
+    return Angle::between(a, b).radians() < 0.5 &&
+           tolerance_for_speed(Angle::between(a, b).radians(), v, model_.acceleration) <=
+               kCoarsestRow;
   }
   bool in_row(std::size_t i, const Vec3& direction) const {
     if (!same_patch(i) || turning(i) > 0.0) return false;
@@ -143,7 +141,8 @@ class Builder {
     for (std::size_t i = 1; i < steps_.size(); ++i)
       if (same_patch(i - 1) && same_patch(i) &&
           smooth(steps_[i - 1].direction, steps_[i].direction))
-        kink = std::max(kink, angle(steps_[i - 1].direction, steps_[i].direction));
+        kink =
+            std::max(kink, Angle::between(steps_[i - 1].direction, steps_[i].direction).radians());
     const double t = tolerance_for_speed(kink, kRowHeadroom * shape_speed_, model_.acceleration);
     return std::ceil(std::max(t, kFinestRounding) / kFinestRounding) * kFinestRounding;
   }
@@ -203,7 +202,7 @@ class Builder {
   bool clears(const RowEnd& from, const RowEnd& to) const {
     const double way =
         (to.tip - from.tip).norm() + 2.0 * (shape_.flat + shape_.out + shape_.run_in);
-    return way * angle(from.normal, to.normal) / 8.0 < 0.5 * shape_.lift &&
+    return way * Angle::between(from.normal, to.normal).radians() / 8.0 < 0.5 * shape_.lift &&
            way < 20.0 * shape_.lift + 10.0 * shortest_;
   }
   /// Roundings take turns away. In a turn-around every move keeps the pitch that it was planned

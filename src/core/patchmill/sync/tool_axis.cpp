@@ -19,10 +19,6 @@ constexpr int kHalvings = 40;     // of a way on the sphere
 constexpr double kCorner = 0.5;   // rad: rows are straighter than this
 constexpr double kGap = 2.5;      // a step longer than this times the shortest is a gap
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 // `from` turned towards `to` by `angle`; towards `instead` if the two are parallel.
 Vec3 leaned(const Vec3& from, const Vec3& to, const Vec3& instead, double angle) {
   Vec3 side = to - from * from.dot(to);
@@ -32,7 +28,8 @@ Vec3 leaned(const Vec3& from, const Vec3& to, const Vec3& instead, double angle)
 }
 
 Vec3 drawn_within(const Vec3& axis, const Vec3& middle, double most) {
-  return angle_between(axis, middle) <= most ? axis : leaned(middle, axis, Vec3::UnitX(), most);
+  return Angle::between(axis, middle).radians() <= most ? axis
+                                                        : leaned(middle, axis, Vec3::UnitX(), most);
 }
 
 // What runs through one patch: the numbers of its dimples to cut, in milling order.
@@ -86,7 +83,7 @@ class Axes {
     const Vec3 t = drawn_within(axis, Vec3::UnitZ(), rule_.widest.radians());
     if (rule_.mode == ToolAxisMode::Fixed || rule_.mode == ToolAxisMode::Normal) return t;
     const double least = rule_.least_lead.radians();
-    if (angle_between(t, normal(k)) >= least) return t;
+    if (Angle::between(t, normal(k)).radians() >= least) return t;
     const Vec3 instead = rule_.towards.norm() > 0.0 ? rule_.towards : Vec3(Vec3::UnitX());
     return leaned(normal(k), t, instead, least);
   }
@@ -161,17 +158,17 @@ std::vector<Vec3> axes_by_row(const Dimples& dimples, const std::vector<Vec3>& a
     const auto turns_off = [&](std::size_t i) {  // a new row begins at i
       const Vec3 step = at(i) - at(i - 1);
       if (step.norm() > kGap * shortest) return true;
-      return i > 1 && angle_between(at(i - 1) - at(i - 2), step) > kCorner;
+      return i > 1 && Angle::between(at(i - 1) - at(i - 2), step).radians() > kCorner;
     };
     const auto off = [&](std::size_t first, std::size_t last, const Vec3& axis) {
       double most = 0.0;
       for (std::size_t i = first; i <= last; ++i)
-        most = std::max(most, angle_between(axes[run[i]], axis));
+        most = std::max(most, Angle::between(axes[run[i]], axis).radians());
       return most;
     };
     // from the mean towards the axis of the row before, as far as kKeeping lets the dimples be off
     const auto kept = [&](std::size_t first, std::size_t last, const Vec3& mean) {
-      const double way = before.norm() > 0.0 ? angle_between(mean, before) : 0.0;
+      const double way = before.norm() > 0.0 ? Angle::between(mean, before).radians() : 0.0;
       if (way == 0.0) return mean;
       const double most = std::max(off(first, last, mean), kKeeping * tolerance.radians());
       if (off(first, last, before) <= most) return before;

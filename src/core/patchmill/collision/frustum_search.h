@@ -1,0 +1,39 @@
+// How near a frustum comes to a mesh: the least over the mesh of the signed distance from it, by branch and bound.
+// A frustum is convex, so that the distance is, and its tangent plane in the middle of a box of the mesh's tree or of
+// a triangle bounds it there (frustum.h): what cannot come below the least found so far by more than the resolution is
+// left out; triangles are halved across their longest side until that decides.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "patchmill/collision/frustum.h"
+#include "patchmill/mesh/triangle_bvh.h"
+
+namespace patchmill {
+
+/// Least signed distance of a mesh from frusta on one axis through `origin` [mm]; the axis is of unit length. The mesh
+/// must outlive it.
+class FrustumSearch {
+ public:
+  /// Finds distances to `resolution` [mm, > 0]; those below `stop` need not be found any better.
+  FrustumSearch(const TriangleBvh& mesh, const Vec3& origin, const Vec3& axis, double resolution,
+                double stop);
+
+  /// Least distance from one more frustum, if it is less than `best`; `best` again if not.
+  double nearer(const Frustum& frustum, double best);
+
+  /// Point of the mesh where the least distance of all calls was found.
+  const Vec3& point() const { return point_; }
+
+ private:
+  bool decided(double bound) const;
+  double bound(const Frustum& frustum, const BvhNode& node) const;
+  void triangle(const Frustum& frustum, const Triangle& t);
+
+  const TriangleBvh& mesh_;
+  Vec3 origin_, axis_;
+  double resolution_, stop_;
+  double best_ = 0.0;
+  Vec3 point_ = Vec3::Zero();
+};
+
+}  // namespace patchmill
