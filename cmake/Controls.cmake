@@ -15,13 +15,13 @@ function(write_control_registry FOLDER HEADER OUTPUT)
 "// Made by cmake/Controls.cmake from the files of ${FOLDER}.
 #include \"${HEADER}\"
 
-namespace patchmill {
+namespace patchmill::gcode {
 ${DECLARED}
 const std::vector<const Control*>& controls() {
   static const std::vector<const Control*> all = {${LISTED}};
   return all;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode
 ")
 endfunction()

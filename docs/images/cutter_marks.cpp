@@ -1,12 +1,12 @@
 // The reliefs shown in docs/cutter-marks.md, as raw float32 with a header line: name rows columns
 // step x y. Built and run by cutter_marks.py.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patch/table1_surface.h"
 #include "patchmill/marks/alignment.h"
 #include "patchmill/marks/dimple_marks.h"
 #include "patchmill/marks/simulate.h"
 #include "patchmill/sync/constant_feed.h"
 #include "patchmill/sync/contact_azimuth.h"
-#include "patch/table1_surface.h"
 
 #include <cmath>
 #include <cstdio>
@@ -19,7 +19,7 @@ namespace {
 
 const std::string* folder = nullptr;
 
-void write(const std::string& name, const Relief& relief) {
+void write(const std::string& name, const marks::Relief& relief) {
   std::ofstream out(*folder + "/" + name + ".relief", std::ios::binary);
   out << name << ' ' << relief.grid.rows << ' ' << relief.grid.columns << ' ' << relief.grid.step
       << ' ' << relief.grid.first.x() << ' ' << relief.grid.first.y() << '\n';
@@ -55,13 +55,15 @@ template <class Shift>
 void array(const std::string& name_of_it, double cross_feed, Shift&& shift,
            std::vector<double> runout = {}) {
   const ToolPath path = rows(cross_feed, shift);
-  const SurfaceGrid grid = flat_grid(TexturePlane{}, {0.0, 0.0}, {5.5, 5.5}, 0.01);
-  const Relief relief =
-      simulate_marks(motion_of(path), {path.tool, {}, runout}, grid, {0.08}).relief;
+  const marks::SurfaceGrid grid =
+      marks::flat_grid(patch::TexturePlane{}, {0.0, 0.0}, {5.5, 5.5}, 0.01);
+  const marks::Relief relief =
+      marks::simulate_marks(marks::motion_of(path), {path.tool, {}, runout}, grid, {0.08}).relief;
   std::vector<Vec2> places;
-  for (const DimpleMark& mark : find_dimples(relief))
+  for (const marks::DimpleMark& mark : marks::find_dimples(relief))
     if (!mark.at_edge) places.push_back(mark.place);
-  const AlignmentResult result = classify_alignment(places, {Vec2::UnitX(), 0.5, cross_feed});
+  const marks::AlignmentResult result =
+      marks::classify_alignment(places, {Vec2::UnitX(), 0.5, cross_feed});
   std::printf("%s: %zu dimples, %s, shift %.3f, agreement %.3f\n", name_of_it.c_str(),
               places.size(), name(result.state), result.shift, result.agreement);
   write(name_of_it, relief);
@@ -69,23 +71,24 @@ void array(const std::string& name_of_it, double cross_feed, Shift&& shift,
 
 /// A corner of the experiment of Xu & Sasahara 2016: Tables 1 and 2, constant feed, vertical tool.
 void experiment() {
-  Dimples dimples = table1_dimples(14, 8, 8);
-  mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
+  patch::Dimples dimples = patch::table1_dimples(14, 8, 8);
+  sync::mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
   const BallEndMill tool{1.0, 2};
   const Spindle spindle{1000.0 / 60.0, SpindleSense::M3};
-  const ConstantFeed rule{434.413 / 60.0, {FluteChoice::Same, 5.0, {}}, 40.0, 42.0};
-  MotionOptions options;
-  options.wanted_phase = wanted_phases(dimples, rule.phase, spindle);
-  const ToolMotion motion =
-      motion_of(constant_feed_path(dimples, tool, spindle, rule, Decimals(3)), options);
-  const SurfaceSampler sampler = [](const std::vector<Vec2>& places) {
-    std::vector<SurfaceSample> samples;
-    for (const Vec2& p : places) samples.push_back({table1_point(p.x(), p.y()), DimpleState::Cut});
+  const sync::ConstantFeed rule{434.413 / 60.0, {sync::FluteChoice::Same, 5.0, {}}, 40.0, 42.0};
+  marks::MotionOptions options;
+  options.wanted_phase = sync::wanted_phases(dimples, rule.phase, spindle);
+  const marks::ToolMotion motion = marks::motion_of(
+      sync::constant_feed_path(dimples, tool, spindle, rule, Decimals(3)), options);
+  const patch::SurfaceSampler sampler = [](const std::vector<Vec2>& places) {
+    std::vector<patch::SurfaceSample> samples;
+    for (const Vec2& p : places)
+      samples.push_back({patch::table1_point(p.x(), p.y()), patch::DimpleState::Cut});
     return samples;
   };
-  const SurfaceGrid grid =
-      curved_grid(flat_grid(TexturePlane{}, {-13.0, -13.0}, {-6.0, -6.0}, 0.0175), sampler);
-  write("experiment", simulate_marks(motion, {tool, {}, {}}, grid, {0.08}).relief);
+  const marks::SurfaceGrid grid = marks::curved_grid(
+      marks::flat_grid(patch::TexturePlane{}, {-13.0, -13.0}, {-6.0, -6.0}, 0.0175), sampler);
+  write("experiment", marks::simulate_marks(motion, {tool, {}, {}}, grid, {0.08}).relief);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ inline std::vector<Vec3> points_of(const Points& array, const char* name) {
 }
 
 /// (n, 2) array of joints [rad].
-inline py::array_t<double> joints_array(const std::vector<Joints>& joints) {
+inline py::array_t<double> joints_array(const std::vector<machine::Joints>& joints) {
   py::array_t<double> array({static_cast<py::ssize_t>(joints.size()), py::ssize_t{2}});
   auto out = array.mutable_unchecked<2>();
   for (py::ssize_t i = 0; i < out.shape(0); ++i)

@@ -70,7 +70,7 @@ T choose(const char* property, const std::string& given,
 }
 
 /// "Square", "Hexagon" or "Triangle".
-PatchShape shape_of(const std::string& name);
+patch::PatchShape shape_of(const std::string& name);
 
 /// A Python callable (share -> bool) or None as Progress; takes the GIL for each call. A Python
 /// exception in it is raised when the long call returns.
@@ -79,4 +79,4 @@ Progress progress_of(const py::object& callable);
 }  // namespace patchmill
 
 // Dimples stays one opaque object: arrays cross as numpy, never as Python lists.
-PYBIND11_MAKE_OPAQUE(patchmill::Dimples)
+PYBIND11_MAKE_OPAQUE(patchmill::patch::Dimples)

@@ -7,9 +7,9 @@
 namespace patchmill {
 
 struct Solid {
-  TriangleMesh mesh;
-  TriangleBvh bvh;
-  explicit Solid(TriangleMesh given) : mesh(std::move(given)), bvh(mesh) {}
+  mesh::TriangleMesh mesh;
+  mesh::TriangleBvh bvh;
+  explicit Solid(mesh::TriangleMesh given) : mesh(std::move(given)), bvh(mesh) {}
 };
 
 }  // namespace patchmill

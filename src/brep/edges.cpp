@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kAngle = 0.2;  // rad: greatest turn from piece to piece
 
-void append(const TopoDS_Edge& edge, double deflection, std::vector<Segment3>& out) {
+void append(const TopoDS_Edge& edge, double deflection, std::vector<patch::Segment3>& out) {
   const BRepAdaptor_Curve curve(edge);
   const GCPnts_TangentialDeflection points(curve, kAngle, deflection);
   if (points.NbPoints() < 2)
@@ -30,7 +30,8 @@ void append(const TopoDS_Edge& edge, double deflection, std::vector<Segment3>& o
 
 }  // namespace
 
-std::vector<Segment3> border_segments(const std::vector<TopoDS_Face>& faces, double deflection) {
+std::vector<patch::Segment3> border_segments(const std::vector<TopoDS_Face>& faces,
+                                             double deflection) {
   require_positive("Deflection", deflection, "mm");
   TopTools_IndexedMapOfShape edges;
   std::vector<int> uses;
@@ -40,7 +41,7 @@ std::vector<Segment3> border_segments(const std::vector<TopoDS_Face>& faces, dou
       if (uses.size() < index) uses.resize(index, 0);
       ++uses[index - 1];
     }
-  std::vector<Segment3> segments;
+  std::vector<patch::Segment3> segments;
   for (int i = 1; i <= edges.Extent(); ++i) {
     const TopoDS_Edge edge = TopoDS::Edge(edges(i));
     if (uses[static_cast<std::size_t>(i - 1)] == 1 && !BRep_Tool::Degenerated(edge))

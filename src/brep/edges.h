@@ -14,6 +14,7 @@ namespace patchmill {
 /// faces. Two edges are the same if their shape is (TopoDS IsSame). Pieces are at most `deflection` [mm]
 /// from the curve. Degenerate edges (poles) are left out.
 /// Errors: InputError naming Base if an edge's curve cannot be discretised.
-std::vector<Segment3> border_segments(const std::vector<TopoDS_Face>& faces, double deflection);
+std::vector<patch::Segment3> border_segments(const std::vector<TopoDS_Face>& faces,
+                                             double deflection);
 
 }  // namespace patchmill

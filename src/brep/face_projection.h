@@ -21,7 +21,7 @@ namespace patchmill {
 /// Coordinates (x, y, depth) with  P = origin + x x_axis + y y_axis + depth direction. The
 /// direction need not be at right angles to the plane.
 struct ObliqueFrame {
-  explicit ObliqueFrame(const TexturePlane& plane);
+  explicit ObliqueFrame(const patch::TexturePlane& plane);
   Vec3 coordinates(const Vec3& p) const { return inverse * (p - origin); }
   Vec3 along(const Vec3& v) const { return inverse * v; }
   Vec3 origin;
@@ -29,13 +29,13 @@ struct ObliqueFrame {
 };
 
 struct Hit {
-  SurfacePoint point;
+  patch::SurfacePoint point;
   double depth;  ///< along the direction, from the texture plane [mm]
 };
 
 class FaceProjection {
  public:
-  FaceProjection(const TopoDS_Face& face, const TexturePlane& plane);
+  FaceProjection(const TopoDS_Face& face, const patch::TexturePlane& plane);
 
   /// State of one worker: an OpenCASCADE evaluator of its own, since they cache what they evaluated
   /// last (null where the polynomial serves), and scratch space.
@@ -61,7 +61,7 @@ class FaceProjection {
   SurfaceD1 d1(double u, double v, const Worker& worker) const;
 
   ObliqueFrame frame_;
-  TexturePlane plane_;
+  patch::TexturePlane plane_;
   BRepAdaptor_Surface surface_;
   std::optional<PolynomialSurface> polynomial_;  // of spline surfaces, for speed
   bool reversed_;

@@ -18,7 +18,7 @@
 
 namespace patchmill {
 
-FaceSampler::FaceSampler(const std::vector<TopoDS_Face>& faces, const TexturePlane& plane,
+FaceSampler::FaceSampler(const std::vector<TopoDS_Face>& faces, const patch::TexturePlane& plane,
                          Angle steepest)
     : plane_(plane), least_cosine_(std::cos(steepest.radians())) {
   require_in_range("SteepestSlope", steepest.degrees(), 0.01, 89.9, "degrees");
@@ -39,9 +39,9 @@ FaceSampler::~FaceSampler() = default;
 FaceSampler::FaceSampler(FaceSampler&&) noexcept = default;
 FaceSampler& FaceSampler::operator=(FaceSampler&&) noexcept = default;
 
-std::vector<SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& points,
-                                               const Progress& progress) const {
-  std::vector<SurfaceSample> samples(points.size());
+std::vector<patch::SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& points,
+                                                      const Progress& progress) const {
+  std::vector<patch::SurfaceSample> samples(points.size());
   std::atomic<bool> stop{false};
   std::atomic<std::size_t> done{0};
   std::mutex reporting;
@@ -67,10 +67,10 @@ std::vector<SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& points,
   return samples;
 }
 
-DimpleState FaceSampler::state_of(const Vec3& normal) const {
+patch::DimpleState FaceSampler::state_of(const Vec3& normal) const {
   const double cosine = normal.dot(-plane_.direction);
-  if (cosine >= least_cosine_) return DimpleState::Cut;
-  return cosine > 0.0 ? DimpleState::TooSteep : DimpleState::Undercut;
+  if (cosine >= least_cosine_) return patch::DimpleState::Cut;
+  return cosine > 0.0 ? patch::DimpleState::TooSteep : patch::DimpleState::Undercut;
 }
 
 std::pair<Vec2, Vec2> FaceSampler::extent() const {

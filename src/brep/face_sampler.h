@@ -26,7 +26,8 @@ class FaceSampler {
   /// `steepest`: greatest angle between the normal out of the material and -direction that may be
   /// cut; in (0, 90) degrees. Errors: InputError naming Base (no face, or a face without a surface)
   /// or SteepestSlope.
-  FaceSampler(const std::vector<TopoDS_Face>& faces, const TexturePlane& plane, Angle steepest);
+  FaceSampler(const std::vector<TopoDS_Face>& faces, const patch::TexturePlane& plane,
+              Angle steepest);
   ~FaceSampler();
   FaceSampler(FaceSampler&&) noexcept;
   FaceSampler& operator=(FaceSampler&&) noexcept;
@@ -34,8 +35,8 @@ class FaceSampler {
   /// Projects points of the texture plane [mm]. Sample i belongs to point i, whatever the number of
   /// threads. Positions are exact to 1e-9 mm along the plane. States: Cut, OffFace, TooSteep, Undercut.
   /// Returns an empty vector if `progress` asked for a stop.
-  std::vector<SurfaceSample> sample(const std::vector<Vec2>& points,
-                                    const Progress& progress = {}) const;
+  std::vector<patch::SurfaceSample> sample(const std::vector<Vec2>& points,
+                                           const Progress& progress = {}) const;
 
   /// Rectangle of the texture plane that the faces cover: {least, greatest} coordinates [mm].
   std::pair<Vec2, Vec2> extent() const;
@@ -44,9 +45,9 @@ class FaceSampler {
   long fallbacks() const;
 
  private:
-  DimpleState state_of(const Vec3& normal) const;
+  patch::DimpleState state_of(const Vec3& normal) const;
 
-  TexturePlane plane_;
+  patch::TexturePlane plane_;
   double least_cosine_;
   std::vector<std::unique_ptr<FaceProjection>> faces_;
 };

@@ -165,12 +165,12 @@ void require_valid(const TessellationOptions& options) {
 }
 
 /// Why a mesh is no closed solid; empty if it is one. One that is inside out is turned.
-std::string close(TriangleMesh& mesh) {
+std::string close(mesh::TriangleMesh& mesh) {
   if (mesh.triangles.empty()) return "The shape has no face that could be meshed.";
-  if (volume(mesh) < 0.0)
+  if (mesh::volume(mesh) < 0.0)
     for (auto& corner : mesh.triangles) std::swap(corner[1], corner[2]);
   try {
-    require_closed(mesh, "Shape");
+    mesh::require_closed(mesh, "Shape");
   } catch (const InputError& error) {
     return fmt::format("The mesh of the shape is not a closed solid ({}).", error.value());
   }

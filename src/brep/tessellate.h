@@ -20,7 +20,7 @@ struct TessellationOptions {
 };
 
 struct Tessellation {
-  TriangleMesh
+  mesh::TriangleMesh
       mesh;  ///< work frame of the shape [mm]; wound anticlockwise seen from outside if `closed`
   /// Number of the face, in the shape's order, that each triangle lies on.
   std::vector<std::int32_t> face;

@@ -39,27 +39,27 @@ Rgba scale_colour(double share) {
   return packed(mixed);
 }
 
-Rgba state_colour(DimpleState state) {
+Rgba state_colour(patch::DimpleState state) {
   switch (state) {
-    case DimpleState::Cut:
+    case patch::DimpleState::Cut:
       return 0x0072b2ff;
-    case DimpleState::OffFace:
+    case patch::DimpleState::OffFace:
       return 0xb0b0b0ff;
-    case DimpleState::TooSteep:
+    case patch::DimpleState::TooSteep:
       return 0xd55e00ff;
-    case DimpleState::ToolTip:
+    case patch::DimpleState::ToolTip:
       return 0xcc79a7ff;
-    case DimpleState::Undercut:
+    case patch::DimpleState::Undercut:
       return 0x7f3b08ff;
-    case DimpleState::NearEdge:
+    case patch::DimpleState::NearEdge:
       return 0xe69f00ff;
-    case DimpleState::Sliver:
+    case patch::DimpleState::Sliver:
       return 0xf0e442ff;
-    case DimpleState::Masked:
+    case patch::DimpleState::Masked:
       return 0xe0e0e0ff;
-    case DimpleState::NoFacet:
+    case patch::DimpleState::NoFacet:
       return 0x882255ff;
-    case DimpleState::OffNet:
+    case patch::DimpleState::OffNet:
       return 0x909090ff;
   }
   return 0x000000ff;

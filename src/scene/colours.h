@@ -17,7 +17,7 @@ using Rgba = std::uint32_t;
 Rgba scale_colour(double share);
 
 /// Colour of a dimple: cut, or the reason why it is left out.
-Rgba state_colour(DimpleState state);
+Rgba state_colour(patch::DimpleState state);
 
 /// Colour of a move of this kind.
 Rgba move_colour(MoveKind kind);

@@ -21,9 +21,10 @@ constexpr double kLift =
     0.3;  // of the disc's radius: above the host's own, coarser triangles of the face
 constexpr std::array<Rgba, 2> kOrderColours{0x1b3a57ff, 0xa34a00ff};
 
-bool has_place(const Dimple& dimple) {
-  return dimple.state != DimpleState::OffFace && dimple.state != DimpleState::OffNet &&
-         dimple.surface.position.allFinite() && dimple.surface.normal.allFinite();
+bool has_place(const patch::Dimple& dimple) {
+  return dimple.state != patch::DimpleState::OffFace &&
+         dimple.state != patch::DimpleState::OffNet && dimple.surface.position.allFinite() &&
+         dimple.surface.normal.allFinite();
 }
 
 /// Two unit vectors that make a right angle with each other and with `normal`.
@@ -42,7 +43,7 @@ constexpr std::array<std::array<double, 2>, kCorners> kHexagon{{{1.0, 0.0},
                                                                 {-0.5, -0.8660254037844386},
                                                                 {0.5, -0.8660254037844386}}};
 
-void add_disc(Triangles& triangles, const Dimple& dimple, double radius) {
+void add_disc(Triangles& triangles, const patch::Dimple& dimple, double radius) {
   const auto [a, b] = tangents(dimple.surface.normal);
   const auto first = static_cast<std::int32_t>(triangles.vertices.size());
   const Vec3 middle = dimple.surface.position + kLift * radius * dimple.surface.normal;
@@ -61,14 +62,14 @@ struct DimpleChunk {
   std::vector<Rgba> colours, few_colours;
 };
 
-DimpleChunk chunk_of(const std::vector<const Dimple*>& dimples, std::size_t first, std::size_t last,
-                     double radius) {
+DimpleChunk chunk_of(const std::vector<const patch::Dimple*>& dimples, std::size_t first,
+                     std::size_t last, double radius) {
   DimpleChunk chunk;
   chunk.discs.vertices.reserve(kCorners * (last - first));
   chunk.discs.colours.reserve(kCorners * (last - first));
   chunk.discs.corners.reserve(4 * (kCorners - 2) * (last - first));
   for (std::size_t i = first; i < last; ++i) {
-    const Dimple& dimple = *dimples[i];
+    const patch::Dimple& dimple = *dimples[i];
     const Point3f place = single(dimple.surface.position + kLift * radius * dimple.surface.normal);
     add_disc(chunk.discs, dimple, radius);
     chunk.points.push_back(place);
@@ -100,9 +101,9 @@ void add_arrowhead(Polylines& lines, const Vec3& tail, const Vec3& tip, const Ve
 
 }  // namespace
 
-Display dimple_display(const Dimples& dimples, double radius) {
-  std::vector<const Dimple*> shown;
-  for (const Dimple& dimple : dimples)
+Display dimple_display(const patch::Dimples& dimples, double radius) {
+  std::vector<const patch::Dimple*> shown;
+  for (const patch::Dimple& dimple : dimples)
     if (has_place(dimple)) shown.push_back(&dimple);
   Display display((shown.size() + kChunk - 1) / kChunk);
   tbb::parallel_for(std::size_t{0}, display.size(), [&](std::size_t i) {
@@ -112,7 +113,7 @@ Display dimple_display(const Dimples& dimples, double radius) {
   return display;
 }
 
-Display order_display(const Dimples& dimples, double spacing) {
+Display order_display(const patch::Dimples& dimples, double spacing) {
   constexpr int kStepsToAnArrow = 4;
   constexpr std::size_t kVertices = 20000;  // in one chunk, or a little more
   Display display;
@@ -124,11 +125,11 @@ Display order_display(const Dimples& dimples, double spacing) {
     lines = heads = Polylines();
   };
   const double lift = 0.2 * spacing;
-  const Dimple* before = nullptr;
+  const patch::Dimple* before = nullptr;
   std::size_t first = 0;
   int step = 0;
-  for (const Dimple& dimple : dimples) {
-    if (dimple.state != DimpleState::Cut) continue;
+  for (const patch::Dimple& dimple : dimples) {
+    if (dimple.state != patch::DimpleState::Cut) continue;
     const Rgba colour = kOrderColours[static_cast<std::size_t>(dimple.patch % 2)];
     const Vec3 place = dimple.surface.position + lift * dimple.surface.normal;
     const bool same_patch = before && before->patch == dimple.patch;

@@ -15,11 +15,11 @@ namespace patchmill::scene {
 /// Discs of `radius` [mm] just over the surface; points where they would be a few pixels wide only, and
 /// some of them where even points would touch.
 /// Dimples that are OffFace or OffNet have no place on a face and are not shown.
-Display dimple_display(const Dimples& dimples, double radius);
+Display dimple_display(const patch::Dimples& dimples, double radius);
 
 /// Lines from dimple to dimple inside each patch, with an arrowhead every few steps of length
 /// `spacing` [mm] (1 for the first step); neighbouring patches have different shades.
-Display order_display(const Dimples& dimples, double spacing);
+Display order_display(const patch::Dimples& dimples, double spacing);
 
 /// Closed polylines, points as rows [mm]; a row that is not finite interrupts its line.
 Display outline_display(const std::vector<std::vector<Vec3>>& outlines);

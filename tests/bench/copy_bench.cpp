@@ -4,8 +4,8 @@
 // ball from a grid of buckets of one ball diameter. Besides, the probe is compared with all triangles at 220 places
 // of the same lines (counter `largest_difference_mm`). One thread; items are points.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/copy/drop_probe.h"
 #include "core/voxel/shapes.h"
+#include "patchmill/copy/drop_probe.h"
 
 #include <random>
 
@@ -36,9 +36,9 @@ std::vector<Vec2> scanning_points(int hills) {
 }
 
 // Blocks with a hill, in a row along x.
-TriangleMesh hills_in_a_row(int hills, int fineness) {
-  const TriangleMesh one = shapes::convex_part(fineness);
-  TriangleMesh row;
+mesh::TriangleMesh hills_in_a_row(int hills, int fineness) {
+  const mesh::TriangleMesh one = shapes::convex_part(fineness);
+  mesh::TriangleMesh row;
   for (int h = 0; h < hills; ++h) {
     const auto first = static_cast<std::int32_t>(row.vertices.size());
     for (const Vec3& v : one.vertices) row.vertices.push_back(v + Vec3(50.0 * h, 0, 0));
@@ -51,15 +51,15 @@ TriangleMesh hills_in_a_row(int hills, int fineness) {
 // Buckets of one diameter over the part; each holds the triangles that a ball over it can touch.
 struct Buckets {
   static constexpr int kSide = 9;
-  std::vector<TriangleBvh> bucket;
+  std::vector<mesh::TriangleBvh> bucket;
 
-  explicit Buckets(const TriangleMesh& mesh) {
+  explicit Buckets(const mesh::TriangleMesh& mesh) {
     for (int n = 0; n < kSide * kSide; ++n) {
       const Vec2 lo(6.0 * (n % kSide) - kRadius, 6.0 * (n / kSide) - kRadius);
-      TriangleMesh near;
+      mesh::TriangleMesh near;
       near.vertices = mesh.vertices;
       for (const auto& t : mesh.triangles) {
-        Box box;
+        mesh::Box box;
         for (const auto v : t) box.include(mesh.vertices[std::size_t(v)]);
         const Vec2 hi = lo + Vec2::Constant(6.0 + 2 * kRadius);
         if ((box.lo.head<2>().array() <= hi.array()).all() &&
@@ -71,16 +71,17 @@ struct Buckets {
   }
 
   double drop(const Vec2& p) const {
-    const TriangleBvh& near = bucket[std::size_t(int(p.y() / 6.0) * kSide + int(p.x() / 6.0))];
-    double best = kNoContact;
-    for (const Triangle& t : near.triangles())
-      best = std::max(best, drop_ball_on(t, p.x(), p.y(), kRadius));
+    const mesh::TriangleBvh& near =
+        bucket[std::size_t(int(p.y() / 6.0) * kSide + int(p.x() / 6.0))];
+    double best = copy::kNoContact;
+    for (const mesh::Triangle& t : near.triangles())
+      best = std::max(best, copy::drop_ball_on(t, p.x(), p.y(), kRadius));
     return best;
   }
 };
 
 void every_triangle_under_the_ball(benchmark::State& state) {
-  const TriangleMesh mesh = hills_in_a_row(1, int(state.range(0)));
+  const mesh::TriangleMesh mesh = hills_in_a_row(1, int(state.range(0)));
   const Buckets buckets(mesh);
   const auto points = random_points(2000);
   for (auto _ : state)
@@ -89,15 +90,15 @@ void every_triangle_under_the_ball(benchmark::State& state) {
   state.counters["triangles"] = double(mesh.triangles.size());
 }
 
-double largest_difference(const TriangleBvh& bvh, const std::vector<Vec2>& points) {
-  DropProbe probe(bvh, kRadius);
+double largest_difference(const mesh::TriangleBvh& bvh, const std::vector<Vec2>& points) {
+  copy::DropProbe probe(bvh, kRadius);
   double worst = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double z = probe(points[i].x(), points[i].y());
     if (i % (points.size() / 20) > 10) continue;
-    double largest = kNoContact;
-    for (const Triangle& t : bvh.triangles())
-      largest = std::max(largest, drop_ball_on(t, points[i].x(), points[i].y(), kRadius));
+    double largest = copy::kNoContact;
+    for (const mesh::Triangle& t : bvh.triangles())
+      largest = std::max(largest, copy::drop_ball_on(t, points[i].x(), points[i].y(), kRadius));
     worst = std::max(worst, std::abs(z - largest));
   }
   return worst;
@@ -106,11 +107,11 @@ double largest_difference(const TriangleBvh& bvh, const std::vector<Vec2>& point
 // Along lines; with a new probe each time.
 void patchmill_probe(benchmark::State& state) {
   const int hills = int(state.range(1));
-  const TriangleMesh mesh = hills_in_a_row(hills, int(state.range(0)));
-  const TriangleBvh bvh(mesh);
+  const mesh::TriangleMesh mesh = hills_in_a_row(hills, int(state.range(0)));
+  const mesh::TriangleBvh bvh(mesh);
   const auto points = scanning_points(hills);
   for (auto _ : state) {
-    DropProbe probe(bvh, kRadius);
+    copy::DropProbe probe(bvh, kRadius);
     for (const Vec2& p : points) benchmark::DoNotOptimize(probe(p.x(), p.y()));
   }
   state.SetItemsProcessed(state.iterations() * int64_t(points.size()));
@@ -120,11 +121,12 @@ void patchmill_probe(benchmark::State& state) {
 
 // At random, each place from the root.
 void patchmill_drop_ball(benchmark::State& state) {
-  const TriangleMesh mesh = hills_in_a_row(1, int(state.range(0)));
-  const TriangleBvh bvh(mesh);
+  const mesh::TriangleMesh mesh = hills_in_a_row(1, int(state.range(0)));
+  const mesh::TriangleBvh bvh(mesh);
   const auto points = random_points(200000);
   for (auto _ : state)
-    for (const Vec2& p : points) benchmark::DoNotOptimize(drop_ball(bvh, p.x(), p.y(), kRadius));
+    for (const Vec2& p : points)
+      benchmark::DoNotOptimize(copy::drop_ball(bvh, p.x(), p.y(), kRadius));
   state.SetItemsProcessed(state.iterations() * int64_t(points.size()));
   state.counters["triangles"] = double(mesh.triangles.size());
 }

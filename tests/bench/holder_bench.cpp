@@ -2,8 +2,8 @@
 // the ball on the surface, a shank and a holder of 30 mm above it; and in a pit where no axis is clear. The peer
 // asks the distance of a dense sampling (1 mm) of the holder's surface for one axis. Items are places.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/collision/clear_axis.h"
 #include "core/voxel/shapes.h"
+#include "patchmill/collision/clear_axis.h"
 
 #include <cmath>
 
@@ -12,10 +12,10 @@
 namespace patchmill {
 namespace {
 
-const std::vector<HolderSection> kHolder{{3.0, 8.0, 2.5, 2.5}, {8.0, 40.0, 15.0, 15.0}};
+const std::vector<collision::HolderSection> kHolder{{3.0, 8.0, 2.5, 2.5}, {8.0, 40.0, 15.0, 15.0}};
 
 struct Places {
-  TriangleBvh part{shapes::overhanging_part(120)};
+  mesh::TriangleBvh part{shapes::overhanging_part(120)};
   std::vector<Vec3> centre, wanted;
 
   Places() {
@@ -26,7 +26,7 @@ struct Places {
     for (double u = 0.02; u < 0.98; u += 0.01) {
       const Vec3 d = surface(u + 1e-5) - surface(u - 1e-5);
       const Vec3 normal = Vec3(-d.z(), 0, d.x()).normalized(), c = surface(u) + 3.0 * normal;
-      if (closest_point(part, c).distance < 2.9) continue;
+      if (mesh::closest_point(part, c).distance < 2.9) continue;
       centre.push_back(c);
       wanted.push_back(Vec3(normal.x(), 0, std::max(0.35, normal.z())).normalized());
     }
@@ -39,12 +39,12 @@ void sampling_of_one_axis(benchmark::State& state) {
     for (std::size_t i = 0; i < places.centre.size(); ++i) {
       const Vec3 u = any_normal_to(places.wanted[i]), v = places.wanted[i].cross(u);
       double least = 2.0;
-      for (const HolderSection& s : kHolder)
+      for (const collision::HolderSection& s : kHolder)
         for (double h = s.from; h <= s.to; h += 1.0)
           for (double a = 0.0; a < 2.0 * kPi; a += 1.0 / s.radius_from) {
             const Vec3 p = places.centre[i] + h * places.wanted[i] +
                            s.radius_from * (std::cos(a) * u + std::sin(a) * v);
-            least = std::min(least, closest_point(places.part, p, least).distance);
+            least = std::min(least, mesh::closest_point(places.part, p, least).distance);
           }
       benchmark::DoNotOptimize(least);
     }
@@ -59,7 +59,8 @@ void patchmill_clear_axis(benchmark::State& state) {
     kept = yielded = none = 0;
     turned = 0.0;
     for (std::size_t i = 0; i < places.centre.size(); ++i) {
-      const ClearAxis found = clear_axis(places.part, kHolder, places.centre[i], places.wanted[i]);
+      const collision::ClearAxis found =
+          collision::clear_axis(places.part, kHolder, places.centre[i], places.wanted[i]);
       (!found.clear ? none : found.axis == places.wanted[i] ? kept : yielded) += 1;
       turned += std::acos(std::min(1.0, found.axis.dot(places.wanted[i])));
     }
@@ -72,13 +73,14 @@ void patchmill_clear_axis(benchmark::State& state) {
 }
 
 void patchmill_clear_axis_in_a_pit(benchmark::State& state) {
-  const TriangleBvh pit(shapes::block_with_top(100, 100, 120, [](double u, double v) {
+  const mesh::TriangleBvh pit(shapes::block_with_top(100, 100, 120, [](double u, double v) {
     const double r = std::hypot(100 * u - 50, 100 * v - 50);
     return Vec3(100 * u, 100 * v, r < 8 ? 10.0 : 60.0);
   }));
   bool clear = false;
   for (auto _ : state)
-    clear = clear_axis(pit, kHolder, Vec3(50, 50, 14), Vec3(0.1, 0.2, 1).normalized()).clear;
+    clear =
+        collision::clear_axis(pit, kHolder, Vec3(50, 50, 14), Vec3(0.1, 0.2, 1).normalized()).clear;
   state.SetItemsProcessed(state.iterations());
   state.counters["clear"] = clear;
 }

@@ -31,9 +31,9 @@ ToolPath rows(int columns, int count, double tilt) {
   return path;
 }
 
-SurfaceGrid grid_over(int columns, int count, double step) {
-  TexturePlane plane;
-  return flat_grid(plane, {0.0, 0.0}, {columns * kSpacing, count * kSpacing}, step);
+marks::SurfaceGrid grid_over(int columns, int count, double step) {
+  patch::TexturePlane plane;
+  return marks::flat_grid(plane, {0.0, 0.0}, {columns * kSpacing, count * kSpacing}, step);
 }
 
 /// Single-precision operations of one evaluation: three Newton steps of 92 (three divisions and a
@@ -74,11 +74,12 @@ void flute_cells(benchmark::State& state) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(state.range(0)));
   const ToolPath path = rows(80, 80, static_cast<double>(state.range(1)) * kPi / 180.0);
-  const ToolMotion motion = motion_of(path);
-  const SurfaceGrid grid = grid_over(80, 80, 0.02);
+  const marks::ToolMotion motion = marks::motion_of(path);
+  const marks::SurfaceGrid grid = grid_over(80, 80, 0.02);
   std::int64_t evaluations = 0, dimples = 0;
   for (auto _ : state) {
-    const SimulatedRelief out = simulate_marks(motion, {path.tool, {}, {}}, grid, {0.08});
+    const marks::SimulatedRelief out =
+        marks::simulate_marks(motion, {path.tool, {}, {}}, grid, {0.08});
     evaluations += out.statistics.evaluations;
     dimples += static_cast<std::int64_t>(path.moves.size());
   }
@@ -103,11 +104,12 @@ void dimples_on_area(benchmark::State& state) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 1);
   const int side = static_cast<int>(state.range(0)), area = static_cast<int>(state.range(1));
   const ToolPath path = rows(side, side, kPi / 4);
-  const ToolMotion motion = motion_of(path);
-  const SurfaceGrid grid = grid_over(area, area, 0.02);
+  const marks::ToolMotion motion = marks::motion_of(path);
+  const marks::SurfaceGrid grid = grid_over(area, area, 0.02);
   std::int64_t dimples = 0, evaluations = 0;
   for (auto _ : state) {
-    const SimulatedRelief out = simulate_marks(motion, {path.tool, {}, {}}, grid, {0.08});
+    const marks::SimulatedRelief out =
+        marks::simulate_marks(motion, {path.tool, {}, {}}, grid, {0.08});
     dimples += static_cast<std::int64_t>(path.moves.size());
     evaluations += out.statistics.evaluations;
   }
@@ -129,14 +131,13 @@ void million_dimples(benchmark::State& state) {
   const int side = static_cast<int>(state.range(0));
   for (auto _ : state) {
     const ToolPath path = rows(side, side, kPi / 4);
-    const ToolMotion motion = motion_of(path);
-    const SurfaceGrid grid = grid_over(side, side, 0.02);
+    const marks::ToolMotion motion = marks::motion_of(path);
+    const marks::SurfaceGrid grid = grid_over(side, side, 0.02);
     double lowest = 0.0;
-    const MarkStatistics statistics = simulate_bands(motion, {path.tool, {}, {}}, grid, {0.08},
-                                                     1024, 0, [&](const ReliefBand& band) {
-                                                       for (const float h : band.relief.height)
-                                                         lowest = std::min<double>(lowest, h);
-                                                     });
+    const marks::MarkStatistics statistics = marks::simulate_bands(
+        motion, {path.tool, {}, {}}, grid, {0.08}, 1024, 0, [&](const marks::ReliefBand& band) {
+          for (const float h : band.relief.height) lowest = std::min<double>(lowest, h);
+        });
     benchmark::DoNotOptimize(lowest);
     state.counters["evaluations/s"] = benchmark::Counter(
         static_cast<double>(statistics.evaluations), benchmark::Counter::kIsIterationInvariantRate);

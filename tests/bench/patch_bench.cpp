@@ -15,17 +15,19 @@
 namespace patchmill {
 namespace {
 
-const TexturePlane kPlane;
+const patch::TexturePlane kPlane;
 
-SurfaceSampler sampler() {
+patch::SurfaceSampler sampler() {
   return analytic::by_rays(kPlane, analytic::waves(1.0, 25.0));
 }
 
 // About `points` lattice points on a square area.
-PatchDivision division(PatchShape shape, std::int64_t points) {
+patch::PatchDivision division(patch::PatchShape shape, std::int64_t points) {
   const double half = 0.25 * std::sqrt(double(points));
-  const int size = shape == PatchShape::Square ? 14 : shape == PatchShape::Hexagon ? 8 : 20;
-  return cover({shape, 0.5, size}, Box2(Vec2(-half, -half), Vec2(half, half)));
+  const int size = shape == patch::PatchShape::Square    ? 14
+                   : shape == patch::PatchShape::Hexagon ? 8
+                                                         : 20;
+  return patch::cover({shape, 0.5, size}, patch::Box2(Vec2(-half, -half), Vec2(half, half)));
 }
 
 void count(benchmark::State& state, std::size_t points) {
@@ -33,10 +35,10 @@ void count(benchmark::State& state, std::size_t points) {
 }
 
 void divide(benchmark::State& state) {
-  const auto shape = PatchShape(state.range(0));
+  const auto shape = patch::PatchShape(state.range(0));
   std::size_t points = 0;
   for (auto _ : state) {
-    const Dimples dimples = lattice_points(division(shape, state.range(1)));
+    const patch::Dimples dimples = patch::lattice_points(division(shape, state.range(1)));
     points = dimples.size();
     benchmark::DoNotOptimize(dimples.data());
   }
@@ -46,21 +48,22 @@ BENCHMARK(divide)->ArgsProduct({{0, 1, 2}, {1000000}})->Unit(benchmark::kMillise
 BENCHMARK(divide)->ArgsProduct({{0}, {10000, 100000, 10000000}})->Unit(benchmark::kMillisecond);
 
 void formula_alone(benchmark::State& state) {
-  const PatchDivision d = division(PatchShape::Square, state.range(0));
+  const patch::PatchDivision d = division(patch::PatchShape::Square, state.range(0));
   std::vector<Vec2> places;
-  for (const Dimple& dimple : lattice_points(d)) places.push_back(place(d, dimple.lattice));
-  const SurfaceSampler on = sampler();
+  for (const patch::Dimple& dimple : patch::lattice_points(d))
+    places.push_back(patch::place(d, dimple.lattice));
+  const patch::SurfaceSampler on = sampler();
   for (auto _ : state) benchmark::DoNotOptimize(on(places).data());
   count(state, places.size());
 }
 BENCHMARK(formula_alone)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 void sample(benchmark::State& state) {
-  const PatchDivision d = division(PatchShape::Square, 1000000);
-  const SurfaceSampler on = sampler();
+  const patch::PatchDivision d = division(patch::PatchShape::Square, 1000000);
+  const patch::SurfaceSampler on = sampler();
   std::size_t points = 0;
   for (auto _ : state) {
-    const auto dimples = sample_patches(d, kPlane, on, {SurfaceKind(state.range(0))});
+    const auto dimples = patch::sample_patches(d, kPlane, on, {patch::SurfaceKind(state.range(0))});
     points = dimples->size();
   }
   count(state, points);
@@ -68,15 +71,16 @@ void sample(benchmark::State& state) {
 BENCHMARK(sample)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void borders(benchmark::State& state) {
-  const Dimples all = *sample_patches(division(PatchShape::Square, 1000000), kPlane, sampler(), {});
-  std::vector<Segment3> edges;
+  const patch::Dimples all =
+      *patch::sample_patches(division(patch::PatchShape::Square, 1000000), kPlane, sampler(), {});
+  std::vector<patch::Segment3> edges;
   for (int n = 0; n < 4000; ++n)
     edges.push_back({Vec3(-250 + 0.125 * n, -200, 0), Vec3(-250 + 0.125 * (n + 1), -200, 0)});
   for (auto _ : state) {
-    Dimples dimples = all;
-    limit_steepness(dimples, kPlane.direction, Angle::degrees(60));
-    keep_off_edges(dimples, edges, 1.0);
-    drop_slivers(dimples, 10);
+    patch::Dimples dimples = all;
+    patch::limit_steepness(dimples, kPlane.direction, Angle::degrees(60));
+    patch::keep_off_edges(dimples, edges, 1.0);
+    patch::drop_slivers(dimples, 10);
     benchmark::DoNotOptimize(dimples.data());
   }
   count(state, all.size());
@@ -84,17 +88,17 @@ void borders(benchmark::State& state) {
 BENCHMARK(borders)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void curve(benchmark::State& state) {
-  const PatchDivision d = division(PatchShape::Square, 1000000);
-  const Dimples all = *sample_patches(d, kPlane, sampler(), {});
-  Polygon star;
+  const patch::PatchDivision d = division(patch::PatchShape::Square, 1000000);
+  const patch::Dimples all = *patch::sample_patches(d, kPlane, sampler(), {});
+  patch::Polygon star;
   for (int n = 0; n < 2000; ++n) {
     const double t = 2 * kPi * n / 2000, r = 150 + 80 * std::cos(9 * t);
     star.push_back({r * std::cos(t), r * std::sin(t)});
   }
-  const auto place_of = [&](const Vec2& lattice) { return place(d, lattice); };
+  const auto place_of = [&](const Vec2& lattice) { return patch::place(d, lattice); };
   for (auto _ : state) {
-    Dimples dimples = all;
-    keep_where(dimples, place_of, curve_mask({star}));
+    patch::Dimples dimples = all;
+    patch::keep_where(dimples, place_of, patch::curve_mask({star}));
     benchmark::DoNotOptimize(dimples.data());
   }
   count(state, all.size());
@@ -103,20 +107,21 @@ BENCHMARK(curve)->Unit(benchmark::kMillisecond);
 
 void net(benchmark::State& state) {
   const double half = 0.25 * std::sqrt(double(state.range(0)));
-  const LatticeRequest request{LatticeKind::Square, 0.5, Vec2::Zero(),
-                               Box2(Vec2(-half, -half), Vec2(half, half))};
-  const SurfaceSampler on = sampler();
-  for (auto _ : state) benchmark::DoNotOptimize(chebyshev_net(request, kPlane, on)->flat);
+  const patch::LatticeRequest request{patch::LatticeKind::Square, 0.5, Vec2::Zero(),
+                                      patch::Box2(Vec2(-half, -half), Vec2(half, half))};
+  const patch::SurfaceSampler on = sampler();
+  for (auto _ : state) benchmark::DoNotOptimize(patch::chebyshev_net(request, kPlane, on)->flat);
   count(state, std::size_t(state.range(0)));
 }
 BENCHMARK(net)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 void low_distortion(benchmark::State& state) {
   const double half = 0.25 * std::sqrt(double(state.range(0)));
-  const LatticeRequest request{LatticeKind::Triangular, 0.5, Vec2::Zero(),
-                               Box2(Vec2(-half, -half), Vec2(half, half))};
-  const SurfaceSampler on = sampler();
-  for (auto _ : state) benchmark::DoNotOptimize(low_distortion_lattice(request, kPlane, on)->flat);
+  const patch::LatticeRequest request{patch::LatticeKind::Triangular, 0.5, Vec2::Zero(),
+                                      patch::Box2(Vec2(-half, -half), Vec2(half, half))};
+  const patch::SurfaceSampler on = sampler();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(patch::low_distortion_lattice(request, kPlane, on)->flat);
   count(state, std::size_t(state.range(0)));
 }
 BENCHMARK(low_distortion)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);

@@ -40,7 +40,7 @@ BENCHMARK(occt_intersector)->Unit(benchmark::kMillisecond)->UseRealTime();
 void face_sampler(benchmark::State& state) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     std::size_t(state.range(0)));
-  const FaceSampler sampler({table1_face()}, TexturePlane(), Angle::degrees(80));
+  const FaceSampler sampler({table1_face()}, patch::TexturePlane(), Angle::degrees(80));
   IntCurvesFace_ShapeIntersector peer;
   peer.Load(table1_face(), 1e-9);
   const auto check = lattice(100);

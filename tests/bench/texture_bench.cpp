@@ -63,27 +63,29 @@ struct Stopwatch {
 // {preparing the face, projecting, limits, path} [s]
 std::array<double, 4> face_to_path(const TopoDS_Face& face, double size,
                                    std::int64_t& dimples_made) {
-  const TexturePlane plane;
+  const patch::TexturePlane plane;
   std::array<double, 4> seconds{};
   Stopwatch watch;
   const FaceSampler sampler({face}, plane, Angle::degrees(80));
   seconds[0] = watch.lap();
   const Vec2 half = Vec2::Constant(0.5 * size);
-  const PatchDivision division = cover({PatchShape::Square, kSpacing, 14}, Box2(-half, half));
-  const SurfaceSampler sample = [&](const std::vector<Vec2>& places) {
+  const patch::PatchDivision division =
+      patch::cover({patch::PatchShape::Square, kSpacing, 14}, patch::Box2(-half, half));
+  const patch::SurfaceSampler sample = [&](const std::vector<Vec2>& places) {
     return sampler.sample(places);
   };
-  Dimples dimples = *sample_patches(division, plane, sample, {});
+  patch::Dimples dimples = *patch::sample_patches(division, plane, sample, {});
   seconds[1] = watch.lap();
-  mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
-  drop_slivers(dimples, 10);
+  sync::mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
+  patch::drop_slivers(dimples, 10);
   seconds[2] = watch.lap();
-  PhaseRule rule{FluteChoice::Same, 5.0, {}};
-  const ToolPath path = constant_feed_path(dimples, {1.0, 2}, {1000.0 / 60.0, SpindleSense::M3},
-                                           {434.413 / 60.0, rule, size, size + 1.0}, Decimals(3));
+  sync::PhaseRule rule{sync::FluteChoice::Same, 5.0, {}};
+  const ToolPath path =
+      sync::constant_feed_path(dimples, {1.0, 2}, {1000.0 / 60.0, SpindleSense::M3},
+                               {434.413 / 60.0, rule, size, size + 1.0}, Decimals(3));
   benchmark::DoNotOptimize(path.moves.data());
   seconds[3] = watch.lap();
-  dimples_made = count_states(dimples)[0];
+  dimples_made = patch::count_states(dimples)[0];
   return seconds;
 }
 

@@ -37,7 +37,7 @@ void report(benchmark::State& state, const MaskedProblem& p,
 }
 
 #ifdef PATCHMILL_HAVE_OPENVDB
-openvdb::Coord coord(const Cell& c) {
+openvdb::Coord coord(const voxel::Cell& c) {
   return {c.x(), c.y(), c.z()};
 }
 
@@ -45,8 +45,8 @@ void openvdb_poisson(benchmark::State& state) {
   namespace pcg = openvdb::math::pcg;
   const MaskedProblem p = masked_problem(int(state.range(0)));
   openvdb::DoubleTree domain(0.0);
-  shapes::for_each_cell(p.table, [&](std::size_t i, const Cell& c) {
-    if (p.role[i] == CellRole::Unknown) domain.setValueOn(coord(c), 0.0);
+  shapes::for_each_cell(p.table, [&](std::size_t i, const voxel::Cell& c) {
+    if (p.role[i] == voxel::CellRole::Unknown) domain.setValueOn(coord(c), 0.0);
   });
   auto x = p.fields;
   int iterations = 0;
@@ -54,8 +54,9 @@ void openvdb_poisson(benchmark::State& state) {
     for (std::size_t f = 0; f < 2; ++f) {
       const auto boundary = [&](const openvdb::Coord&, const openvdb::Coord& near, double& source,
                                 double& diagonal) {
-        const std::int64_t j = cell_index(p.table, Cell(near.x(), near.y(), near.z()));
-        if (j < 0 || p.role[std::size_t(j)] != CellRole::Held) return;
+        const std::int64_t j =
+            voxel::cell_index(p.table, voxel::Cell(near.x(), near.y(), near.z()));
+        if (j < 0 || p.role[std::size_t(j)] != voxel::CellRole::Held) return;
         source -= p.fields[f][std::size_t(j)];
         diagonal -= 1.0;
       };
@@ -68,8 +69,8 @@ void openvdb_poisson(benchmark::State& state) {
           pcg::IncompleteCholeskyPreconditioner<openvdb::tools::poisson::LaplacianMatrix>>(
           domain, boundary, limits, never, /*staggered=*/true);
       state.PauseTiming();
-      shapes::for_each_cell(p.table, [&](std::size_t i, const Cell& c) {
-        if (p.role[i] == CellRole::Unknown) x[f][i] = solved->getValue(coord(c));
+      shapes::for_each_cell(p.table, [&](std::size_t i, const voxel::Cell& c) {
+        if (p.role[i] == voxel::CellRole::Unknown) x[f][i] = solved->getValue(coord(c));
       });
       iterations = limits.iterations;
       state.ResumeTiming();
@@ -83,21 +84,21 @@ void eigen_cg(benchmark::State& state) {
   std::vector<int> number(p.role.size(), -1);
   int count = 0;
   for (std::size_t i = 0; i < p.role.size(); ++i)
-    if (p.role[i] == CellRole::Unknown) number[i] = count++;
+    if (p.role[i] == voxel::CellRole::Unknown) number[i] = count++;
   auto x = p.fields;
   int iterations = 0;
   for (auto _ : state) {
     Eigen::SparseMatrix<double, Eigen::RowMajor> a(count, count);
     a.reserve(Eigen::VectorXi::Constant(count, 7));
     Eigen::MatrixXd b = Eigen::MatrixXd::Zero(count, 2);
-    shapes::for_each_cell(p.table, [&](std::size_t i, const Cell& c) {
+    shapes::for_each_cell(p.table, [&](std::size_t i, const voxel::Cell& c) {
       if (number[i] < 0) return;
       double diagonal = 0.0;
       for (int side = 0; side < 6; ++side) {
-        Cell near = c;
+        voxel::Cell near = c;
         near[side / 2] += side % 2 == 0 ? -1 : 1;
-        const std::int64_t j = cell_index(p.table, near);
-        if (j < 0 || p.role[std::size_t(j)] == CellRole::Outside) continue;
+        const std::int64_t j = voxel::cell_index(p.table, near);
+        if (j < 0 || p.role[std::size_t(j)] == voxel::CellRole::Outside) continue;
         diagonal += 1.0;
         if (number[std::size_t(j)] >= 0)
           a.insert(number[i], number[std::size_t(j)]) = -1.0;
@@ -123,23 +124,23 @@ void patchmill_laplace(benchmark::State& state) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     std::size_t(state.range(1)));
   const MaskedProblem p = masked_problem(int(state.range(0)));
-  LaplaceOptions options;
+  voxel::LaplaceOptions options;
   options.tolerance = kTolerance;
   auto x = p.fields;
-  LaplaceOutcome outcome;
+  voxel::LaplaceOutcome outcome;
   for (auto _ : state) {
     state.PauseTiming();
     x = p.fields;
     state.ResumeTiming();
-    outcome = solve_laplace(p.table, p.role, x, options);
+    outcome = voxel::solve_laplace(p.table, p.role, x, options);
   }
   report(state, p, x, outcome.iterations);
 }
 
 // A sphere of 32,768 triangles in a box of n^3 voxels.
 struct SphereInBox {
-  TriangleMesh stock = box_mesh(Vec3::Constant(-1), Vec3::Constant(1));
-  TriangleMesh part = shapes::sphere(Vec3(0.01, 0.02, 0.03), 0.8, 6);
+  mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Constant(-1), Vec3::Constant(1));
+  mesh::TriangleMesh part = shapes::sphere(Vec3(0.01, 0.02, 0.03), 0.8, 6);
 };
 
 #ifdef PATCHMILL_HAVE_OPENVDB
@@ -176,10 +177,11 @@ void patchmill_voxelise(benchmark::State& state) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     std::size_t(state.range(1)));
   const SphereInBox solids;
-  VoxelOptions options;
+  voxel::VoxelOptions options;
   options.pitch = 2.0 / double(state.range(0));
   options.memory_limit = 1e12;
-  for (auto _ : state) benchmark::DoNotOptimize(voxelise(solids.stock, solids.part, options));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(voxel::voxelise(solids.stock, solids.part, options));
   state.SetItemsProcessed(state.iterations() * state.range(0) * state.range(0) * state.range(0));
 }
 

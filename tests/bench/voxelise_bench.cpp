@@ -46,15 +46,15 @@ void patchmill_voxelise_solid(benchmark::State& state) {
   TessellationOptions fine;
   fine.deflection = 0.05 * kSide / n;
   const TopoDS_Shape shape = part();
-  const TriangleMesh stock = box_mesh(Vec3::Zero(), Vec3::Constant(kSide));
-  VoxelOptions options;
+  const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Zero(), Vec3::Constant(kSide));
+  voxel::VoxelOptions options;
   options.pitch = kSide / n;
   options.memory_limit = 64e9;  // kinds only: no field is made here
   std::size_t triangles = 0;
   for (auto _ : state) {
     const Tessellation mesh = tessellate(shape, fine);
     triangles = mesh.mesh.triangles.size();
-    benchmark::DoNotOptimize(voxelise(stock, mesh.mesh, options));
+    benchmark::DoNotOptimize(voxel::voxelise(stock, mesh.mesh, options));
   }
   state.SetItemsProcessed(std::int64_t{n} * n * n * state.iterations());
   state.counters["triangles"] = static_cast<double>(triangles);

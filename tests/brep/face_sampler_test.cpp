@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/face_sampler.h"
 
-#include "patchmill/geometry/error.h"
 #include "faces.h"
+#include "patchmill/geometry/error.h"
 
 #include <random>
 
@@ -42,7 +42,7 @@ std::vector<Vec2> grid(int n, double half) {
 }
 
 TEST(FaceSampler, PointsOfTheBezierSurfaceOfTable1) {
-  const FaceSampler sampler({table1_face()}, TexturePlane(), Angle::degrees(80));
+  const FaceSampler sampler({table1_face()}, patch::TexturePlane(), Angle::degrees(80));
   const std::vector<Vec3> known = {{0, 0.546875, 24.875},
                                    {-16.502929688, 16.698486328, 23.759765625},
                                    {-16.801757813, -14.947509766, 22.880859375}};
@@ -50,7 +50,7 @@ TEST(FaceSampler, PointsOfTheBezierSurfaceOfTable1) {
   for (const Vec3& p : known) places.push_back(p.head<2>());
   const auto hits = sampler.sample(places);
   for (std::size_t i = 0; i < known.size(); ++i) {
-    ASSERT_EQ(hits[i].state, DimpleState::Cut);
+    ASSERT_EQ(hits[i].state, patch::DimpleState::Cut);
     EXPECT_NEAR((hits[i].point.position - known[i]).norm(), 0.0, 1e-6);
     EXPECT_GT(hits[i].point.normal.z(), 0.0);
     EXPECT_NEAR(hits[i].point.normal.norm(), 1.0, 1e-12);
@@ -59,7 +59,7 @@ TEST(FaceSampler, PointsOfTheBezierSurfaceOfTable1) {
 
 TEST(FaceSampler, EqualsOpenCascadesIntersector) {
   const TopoDS_Face face = table1_face();
-  const FaceSampler sampler({face}, TexturePlane(), Angle::degrees(80));
+  const FaceSampler sampler({face}, patch::TexturePlane(), Angle::degrees(80));
   IntCurvesFace_ShapeIntersector peer;
   peer.Load(face, 1e-7);
   const auto points = grid(41, 31.0);  // beyond the face's edges
@@ -67,7 +67,7 @@ TEST(FaceSampler, EqualsOpenCascadesIntersector) {
   int on = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     peer.Perform(gp_Lin(gp_Pnt(points[i].x(), points[i].y(), 100), gp_Dir(0, 0, -1)), 0, 200);
-    ASSERT_EQ(peer.NbPnt() > 0, on_face(hits[i].state)) << points[i].transpose();
+    ASSERT_EQ(peer.NbPnt() > 0, patch::on_face(hits[i].state)) << points[i].transpose();
     if (peer.NbPnt() == 0) continue;
     ++on;
     EXPECT_NEAR(peer.Pnt(1).Z(), hits[i].point.position.z(), 1e-7) << points[i].transpose();
@@ -79,19 +79,20 @@ TEST(FaceSampler, EqualsOpenCascadesIntersector) {
 TEST(FaceSampler, SphereFromAboveAndFromBelow) {
   const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(gp_Pnt(1, 2, 3), 10.0).Shape();
   for (double side : {+1.0, -1.0}) {
-    const TexturePlane plane = texture_plane({1, 2, 50 * side}, {0, 0, -side}, {1, 0, 0}, 0.0);
+    const patch::TexturePlane plane =
+        patch::texture_plane({1, 2, 50 * side}, {0, 0, -side}, {1, 0, 0}, 0.0);
     const FaceSampler sampler(faces_of(sphere), plane, Angle::degrees(60));
     const auto points = grid(61, 11.0);  // its middle is the pole
     const auto hits = sampler.sample(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double r2 = points[i].squaredNorm();
       if (r2 > 100.0) {
-        EXPECT_EQ(hits[i].state, DimpleState::OffFace) << points[i].transpose();
+        EXPECT_EQ(hits[i].state, patch::DimpleState::OffFace) << points[i].transpose();
       } else if (r2 > 99.9) {
         continue;  // grazing: either way
       } else {
         const bool steep = std::sqrt(r2) > 10.0 * std::sin(60.0 * kPi / 180.0);
-        ASSERT_EQ(hits[i].state, steep ? DimpleState::TooSteep : DimpleState::Cut)
+        ASSERT_EQ(hits[i].state, steep ? patch::DimpleState::TooSteep : patch::DimpleState::Cut)
             << points[i].transpose();
         const Vec3 out = hits[i].point.position - Vec3(1, 2, 3);
         EXPECT_NEAR(out.norm(), 10.0, 1e-9);
@@ -105,14 +106,14 @@ TEST(FaceSampler, SphereFromAboveAndFromBelow) {
 TEST(FaceSampler, TorusIsHitOnItsNearSideOnly) {
   const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(10.0, 3.0).Shape();
   // looked at along X, the ray meets up to four places; the first is the one of least depth
-  const TexturePlane plane = texture_plane({50, 0, 0}, {-1, 0, 0}, {0, 1, 0}, 0.0);
+  const patch::TexturePlane plane = patch::texture_plane({50, 0, 0}, {-1, 0, 0}, {0, 1, 0}, 0.0);
   const FaceSampler sampler(faces_of(torus), plane, Angle::degrees(70));
   for (double y : {0.0, 2.5, -6.0, 9.5, -12.0}) {
     const auto hit = sampler.sample({Vec2(y, 0.0)})[0];
-    ASSERT_TRUE(on_face(hit.state));
+    ASSERT_TRUE(patch::on_face(hit.state));
     EXPECT_NEAR(hit.point.position.x(), std::sqrt(13.0 * 13.0 - y * y), 1e-9);
   }
-  EXPECT_EQ(sampler.sample({Vec2(13.1, 0)})[0].state, DimpleState::OffFace);
+  EXPECT_EQ(sampler.sample({Vec2(13.1, 0)})[0].state, patch::DimpleState::OffFace);
 }
 
 TEST(FaceSampler, KeepsInsideTrimming) {
@@ -126,7 +127,7 @@ TEST(FaceSampler, KeepsInsideTrimming) {
   TopoDS_Wire hole = ring(7.0);
   hole.Reverse();
   make.Add(hole);
-  const FaceSampler sampler({make.Face()}, TexturePlane(), Angle::degrees(80));
+  const FaceSampler sampler({make.Face()}, patch::TexturePlane(), Angle::degrees(80));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> xy(-22, 22);
   std::vector<Vec2> points;
@@ -135,7 +136,8 @@ TEST(FaceSampler, KeepsInsideTrimming) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double r = points[i].norm();
     if (std::abs(r - 7.0) < 1e-6 || std::abs(r - 20.0) < 1e-6) continue;
-    ASSERT_EQ(hits[i].state == DimpleState::Cut, r > 7.0 && r < 20.0) << points[i].transpose();
+    ASSERT_EQ(hits[i].state == patch::DimpleState::Cut, r > 7.0 && r < 20.0)
+        << points[i].transpose();
   }
 }
 
@@ -154,7 +156,7 @@ TEST(FaceSampler, MovesWithItsPlacement) {
     w.Transform(move);
     return point ? Vec3(p.X(), p.Y(), p.Z()) : Vec3(w.X(), w.Y(), w.Z());
   };
-  TexturePlane here, there;
+  patch::TexturePlane here, there;
   there.origin = turned(here.origin, true);
   there.x_axis = turned(here.x_axis, false);
   there.y_axis = turned(here.y_axis, false);
@@ -171,7 +173,7 @@ TEST(FaceSampler, MovesWithItsPlacement) {
 
 TEST(FaceSampler, ObliqueDirectionOnAPlane) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, 0), 20, 20, 4).Shape();
-  TexturePlane plane;
+  patch::TexturePlane plane;
   plane.origin = {0, 0, 20};
   plane.direction = Vec3(0.3, -0.2, -1.0).normalized();
   const auto hit =
@@ -182,7 +184,7 @@ TEST(FaceSampler, ObliqueDirectionOnAPlane) {
 
 TEST(FaceSampler, SameBytesOnOneThreadAndOnMany) {
   const auto points = grid(150, 31.0);
-  const FaceSampler sampler({table1_face()}, TexturePlane(), Angle::degrees(30));
+  const FaceSampler sampler({table1_face()}, patch::TexturePlane(), Angle::degrees(30));
   const auto many = sampler.sample(points);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const auto single = sampler.sample(points);
@@ -194,14 +196,14 @@ TEST(FaceSampler, SameBytesOnOneThreadAndOnMany) {
 }
 
 TEST(FaceSampler, StopsWhenAsked) {
-  const FaceSampler sampler({table1_face()}, TexturePlane(), Angle::degrees(80));
+  const FaceSampler sampler({table1_face()}, patch::TexturePlane(), Angle::degrees(80));
   EXPECT_TRUE(sampler.sample(grid(200, 25.0), [](double) { return false; }).empty());
 }
 
 TEST(FaceSampler, RefusesNoFaceAndBadLimit) {
-  EXPECT_THROW(FaceSampler({}, TexturePlane(), Angle::degrees(80)), InputError);
-  EXPECT_THROW(FaceSampler({table1_face()}, TexturePlane(), Angle::degrees(0)), InputError);
-  EXPECT_THROW(FaceSampler({table1_face()}, TexturePlane(), Angle::degrees(90)), InputError);
+  EXPECT_THROW(FaceSampler({}, patch::TexturePlane(), Angle::degrees(80)), InputError);
+  EXPECT_THROW(FaceSampler({table1_face()}, patch::TexturePlane(), Angle::degrees(0)), InputError);
+  EXPECT_THROW(FaceSampler({table1_face()}, patch::TexturePlane(), Angle::degrees(90)), InputError);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ inline Handle(Geom_BezierSurface) table1_surface() {
   TColgp_Array2OfPnt poles(1, 4, 1, 4);
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
-      const double(&p)[3] = kTable1[i][j];
+      const double(&p)[3] = patch::kTable1[i][j];
       poles.SetValue(i + 1, j + 1, gp_Pnt(p[0], p[1], p[2]));
     }
   return new Geom_BezierSurface(poles);

@@ -118,7 +118,8 @@ void try_face(Random& random, bool judge, long& on, long& left_out, long& judged
   const TopoDS_Face face = random_face(random);
   const Vec3 d(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
   if (d.norm() < 0.1) return;
-  const TexturePlane plane = texture_plane(Vec3(1, 2, 3), d, any_normal_to(d.normalized()), 0.3);
+  const patch::TexturePlane plane =
+      patch::texture_plane(Vec3(1, 2, 3), d, any_normal_to(d.normalized()), 0.3);
   const FaceSampler sampler({face}, plane, Angle::degrees(85));
   const auto [low, high] = sampler.extent();
   std::vector<Vec2> points;
@@ -126,7 +127,7 @@ void try_face(Random& random, bool judge, long& on, long& left_out, long& judged
     points.emplace_back(uniform(random, low.x(), high.x()), uniform(random, low.y(), high.y()));
   const auto samples = sampler.sample(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!on_face(samples[i].state)) {
+    if (!patch::on_face(samples[i].state)) {
       ++left_out;
       continue;
     }

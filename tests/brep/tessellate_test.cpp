@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/tessellate.h"
 
-#include "patchmill/geometry/error.h"
 #include "faces.h"
+#include "patchmill/geometry/error.h"
 
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -32,7 +32,7 @@ void expect_solid(const TopoDS_Shape& shape, double volume_of_it, double area_of
   const Tessellation t = tessellate(shape, within(deflection));
   ASSERT_TRUE(t.closed) << t.reason;
   EXPECT_NEAR(volume(t.mesh), volume_of_it, 2.0 * area_of_it * deflection);
-  EXPECT_NEAR(surface_area(t.mesh), area_of_it, 0.01 * area_of_it);
+  EXPECT_NEAR(mesh::surface_area(t.mesh), area_of_it, 0.01 * area_of_it);
   EXPECT_EQ(t.face.size(), t.mesh.triangles.size());
 }
 

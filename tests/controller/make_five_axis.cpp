@@ -24,9 +24,9 @@ const Decimals kDecimals(4);
 const BallEndMill kTool{1.0, 2};
 
 // xyzac-trt-kins and xyzbc-trt-kins, with the offsets of tests/controller/harness
-Kinematics machine_of(const std::string& name) {
+machine::Kinematics machine_of(const std::string& name) {
   const bool ac = name == "ac";
-  RotaryAxis c, tilting;
+  machine::RotaryAxis c, tilting;
   c.letter = 'C';
   c.point = Vec3(4.0, -3.0, 0.0);
   tilting.letter = ac ? 'A' : 'B';
@@ -34,44 +34,46 @@ Kinematics machine_of(const std::string& name) {
   tilting.point = ac ? Vec3(4.0, -3.0 + 5.0, -40.0) : Vec3(4.0 + 5.0, -3.0, -40.0);
   tilting.lowest = Angle::degrees(-120.0).radians();
   tilting.highest = Angle::degrees(120.0).radians();
-  for (RotaryAxis* axis : {&c, &tilting}) {
+  for (machine::RotaryAxis* axis : {&c, &tilting}) {
     axis->rate = Angle::degrees(1000.0).radians();
     axis->acceleration = Angle::degrees(20000.0).radians();
   }
-  Kinematics k;
+  machine::Kinematics k;
   k.rotary = {c, tilting};
   return k;
 }
 
-ToolPath plan(const Options& options, const Dimples& dimples, const std::vector<Angle>& azimuths,
-              const std::vector<double>& turning, const MotionModel& model) {
+ToolPath plan(const Options& options, const patch::Dimples& dimples,
+              const std::vector<Angle>& azimuths, const std::vector<double>& turning,
+              const machine::MotionModel& model) {
   const Spindle spindle{1000.0 / 60.0, SpindleSense::M3};
   const std::string strategy = options.word("strategy", "locked");
   if (strategy == "constant") {
-    ConstantFeed rule;
+    sync::ConstantFeed rule;
     rule.feed = 434.413 / 60.0;
     rule.phase.extra_turns = options.number("extra", 5.0);
     rule.phase.azimuths = azimuths;
     rule.safe_height = 30.0;
     rule.clearance_height = 32.0;
-    return constant_feed_path(dimples, kTool, spindle, rule, kDecimals);
+    return sync::constant_feed_path(dimples, kTool, spindle, rule, kDecimals);
   }
-  PacedRule rule;
+  sync::PacedRule rule;
   rule.pace = strategy == "locked" ? Pace::SpindleLocked : Pace::Feed;
   rule.phase.azimuths = azimuths;
   if (rule.pace == Pace::SpindleLocked) rule.turning = turning;
   rule.safe_height = 30.0;
   rule.clearance_height = 32.0;
-  return paced_path(dimples, kTool, spindle, rule, model, kDecimals).path;
+  return sync::paced_path(dimples, kTool, spindle, rule, model, kDecimals).path;
 }
 
-void write(const Dimples& dimples, const PosturePath& work, const PosturePath& told,
-           const MotionModel& model, const Kinematics& machine, const ProgramForm& form,
+void write(const patch::Dimples& dimples, const machine::PosturePath& work,
+           const machine::PosturePath& told, const machine::MotionModel& model,
+           const machine::Kinematics& machine, const gcode::ProgramForm& form,
            const std::string& out) {
   std::string letters;
-  for (const RotaryAxis& axis : machine.rotary) letters += axis.letter;
-  const Rs274Text text =
-      rs274_text(told.path, model, kDecimals, FeedWord::PerMinute, {letters, told.joints});
+  for (const machine::RotaryAxis& axis : machine.rotary) letters += axis.letter;
+  const gcode::Rs274Text text = gcode::rs274_text(
+      told.path, model, kDecimals, gcode::FeedWord::PerMinute, {letters, told.joints});
   std::ofstream program(out + ".ngc");
   // the second line of the program, before anything moves; lines are counted from 1
   const std::size_t first = text.text.find('\n') + 1;
@@ -84,7 +86,7 @@ void write(const Dimples& dimples, const PosturePath& work, const PosturePath& t
     const Move& move = work.path.moves[i];
     if (move.dimple == kNoDimple) continue;
     while (told.path.moves[at].dimple != move.dimple) ++at;  // parts of split moves come before
-    const Dimple& dimple = dimples[static_cast<std::size_t>(move.dimple)];
+    const patch::Dimple& dimple = dimples[static_cast<std::size_t>(move.dimple)];
     const Vec3 &p = dimple.surface.position, &n = dimple.surface.normal, &t = move.end.tip;
     const Vec3& k = told.path.moves[at].end.tip;
     table << fmt::format(
@@ -98,33 +100,35 @@ void write(const Dimples& dimples, const PosturePath& work, const PosturePath& t
 
 void run(int argc, char** argv) {
   const Options options(argc, argv, 6);
-  const MotionModel model = locked_model(argv[3], argv[4]);
-  ProgramForm form;
+  const machine::MotionModel model = locked_model(argv[3], argv[4]);
+  gcode::ProgramForm form;
   form.tcp = std::string(argv[2]) == "tcp";
   form.chord = options.number("chord", 1e-3);
   form.chord_clear = options.number("clear", 0.05);
-  form.reference =
-      options.number("ball", 0.0) > 0.0 ? ReferencePoint::BallCentre : ReferencePoint::Tip;
-  const Dimples dimples = corner_dimples(static_cast<int>(options.number("side", 14)),
-                                         static_cast<int>(options.number("patches", 1)));
-  ToolAxisRule rule;
-  rule.mode = ToolAxisMode::Normal;
+  form.reference = options.number("ball", 0.0) > 0.0 ? gcode::ReferencePoint::BallCentre
+                                                     : gcode::ReferencePoint::Tip;
+  const patch::Dimples dimples = corner_dimples(static_cast<int>(options.number("side", 14)),
+                                                static_cast<int>(options.number("patches", 1)));
+  sync::ToolAxisRule rule;
+  rule.mode = sync::ToolAxisMode::Normal;
   rule.lead = Angle::degrees(options.number("lead", 15.0));
   if (options.word("towards", "x") == "x") rule.towards = Vec3::UnitX();
-  const Kinematics machine = machine_of(argv[1]);
-  std::vector<Vec3> axes = tool_axes(dimples, rule);
+  const machine::Kinematics machine = machine_of(argv[1]);
+  std::vector<Vec3> axes = sync::tool_axes(dimples, rule);
   if (options.word("strategy", "locked") == "locked")
-    axes = axes_by_row(dimples, axes, Angle::degrees(options.number("rows", 10.0)));
-  const PosturePlan postures = plan_postures(machine, dimples, axes, kDecimals);
+    axes = sync::axes_by_row(dimples, axes, Angle::degrees(options.number("rows", 10.0)));
+  const sync::PosturePlan postures = sync::plan_postures(machine, dimples, axes, kDecimals);
   if (!postures.complete) throw InputError("ToolAxis", "not reached", postures.reason);
   const ToolPath vertical =
       plan(options, dimples, postures.postures.azimuths,
-           turning_seconds(machine, dimples, postures.postures, kTool, model, form), model);
-  const PosturePath work = with_postures(vertical, postures.postures, machine, kDecimals);
-  const PosturePath told = on_decimals(programmed(work, machine, form), kDecimals);
+           sync::turning_seconds(machine, dimples, postures.postures, kTool, model, form), model);
+  const machine::PosturePath work =
+      sync::with_postures(vertical, postures.postures, machine, kDecimals);
+  const machine::PosturePath told =
+      gcode::on_decimals(gcode::programmed(work, machine, form), kDecimals);
   write(dimples, work, told, model, machine, form, argv[5]);
   double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
-  for (const Joints& q : work.joints)
+  for (const machine::Joints& q : work.joints)
     for (int k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], Angle::radians(q[k]).degrees());
       high[k] = std::max(high[k], Angle::radians(q[k]).degrees());

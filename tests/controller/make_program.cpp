@@ -4,8 +4,8 @@
 // STRATEGY: constant | feed | inverse | locked. Writes OUT.ngc and OUT.csv; prints one line of
 // key=value.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/machine/predict_motion.h"
 #include "patchmill/gcode/rs274_text.h"
+#include "patchmill/machine/predict_motion.h"
 #include "patchmill/sync/constant_feed.h"
 #include "patchmill/sync/contact_azimuth.h"
 #include "patchmill/sync/fit_stops.h"
@@ -25,8 +25,8 @@ const Decimals kDecimals(4);
 
 struct Job {
   std::string strategy, out;
-  MotionModel model;
-  Dimples dimples;
+  machine::MotionModel model;
+  patch::Dimples dimples;
   Options options;
 };
 
@@ -34,34 +34,38 @@ const BallEndMill kTool{kRadius, 2};
 
 ToolPath plan(const Job& job, Spindle spindle) {
   if (job.strategy == "constant") {
-    ConstantFeed rule;  // the paper's own: section 3.2, Table 2
+    sync::ConstantFeed rule;  // the paper's own: section 3.2, Table 2
     rule.feed = kFeed;
     rule.phase.extra_turns = job.options.number("extra", 5.0);
     rule.phase.flutes =
-        job.options.number("same", 0.0) > 0.0 ? FluteChoice::Same : FluteChoice::Any;
+        job.options.number("same", 0.0) > 0.0 ? sync::FluteChoice::Same : sync::FluteChoice::Any;
     rule.phase.step = Angle::degrees(job.options.number("step", 0.0));
     rule.safe_height = 30.0;
     rule.clearance_height = 32.0;
-    const ToolPath path = constant_feed_path(job.dimples, kTool, spindle, rule, kDecimals);
+    const ToolPath path = sync::constant_feed_path(job.dimples, kTool, spindle, rule, kDecimals);
     if (job.options.number("fit", 0.0) <= 0.0) return path;
-    const double period = phase_period(kTool.flutes, rule.phase.flutes).turns();
-    return fit_to_stops(path, job.model, posted_feed(kFeed, kDecimals), period, kDecimals).path;
+    const double period = sync::phase_period(kTool.flutes, rule.phase.flutes).turns();
+    return sync::fit_to_stops(path, job.model, sync::posted_feed(kFeed, kDecimals), period,
+                              kDecimals)
+        .path;
   }
-  PacedRule rule;
+  sync::PacedRule rule;
   rule.phase.step = Angle::degrees(job.options.number("step", 0.0));
   rule.pace = job.strategy == "locked" ? Pace::SpindleLocked : Pace::Feed;
   rule.turnarounds = job.options.number("turnarounds", 1.0) > 0.0;
   rule.lift = job.options.number("lift", rule.lift);
   rule.safe_height = 30.0;
   rule.clearance_height = 32.0;
-  return paced_path(job.dimples, kTool, spindle, rule, job.model, kDecimals).path;
+  return sync::paced_path(job.dimples, kTool, spindle, rule, job.model, kDecimals).path;
 }
 
 void write(const Job& job, const ToolPath& path) {
-  const FeedWord word = job.strategy == "inverse" ? FeedWord::InverseTime : FeedWord::PerMinute;
-  const Rs274Text text = rs274_text(path, job.model, kDecimals, word);
+  const gcode::FeedWord word =
+      job.strategy == "inverse" ? gcode::FeedWord::InverseTime : gcode::FeedWord::PerMinute;
+  const gcode::Rs274Text text = gcode::rs274_text(path, job.model, kDecimals, word);
   std::ofstream(job.out + ".ngc") << text.text;
-  const Prediction prediction = predict(path, job.model, job.options.number("ratio", 1.0));
+  const machine::Prediction prediction =
+      machine::predict(path, job.model, job.options.number("ratio", 1.0));
   std::ofstream table(job.out + ".csv");
   table << "line,x,y,z,azimuth_deg,patch,planned_turns,predicted_s,predicted_turns,px,py,pz,nx,ny,"
            "nz\n";
@@ -71,9 +75,9 @@ void write(const Job& job, const ToolPath& path) {
     const Move& move = path.moves[i];
     if (move.kind != MoveKind::Rapid) planned += move.turns;
     if (move.dimple == kNoDimple) continue;
-    const Dimple& dimple = job.dimples[static_cast<std::size_t>(move.dimple)];
+    const patch::Dimple& dimple = job.dimples[static_cast<std::size_t>(move.dimple)];
     const Vec3 &p = dimple.surface.position, &n = dimple.surface.normal;
-    const Passing& when = prediction.ends[i];
+    const machine::Passing& when = prediction.ends[i];
     if (count++ == 0) first = when.turns;
     last = when.turns;
     table << fmt::format(

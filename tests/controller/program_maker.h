@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "patch/table1_surface.h"
 #include "patchmill/geometry/error.h"
 #include "patchmill/machine/motion_model.h"
-#include "patch/table1_surface.h"
 
 #include <iostream>
 #include <map>
@@ -37,8 +37,8 @@ class Options {
 };
 
 /// A controller that can follow the spindle; acceleration [mm/s^2] and velocity [mm/s] as given.
-inline MotionModel locked_model(const char* acceleration, const char* velocity) {
-  MotionModel model;
+inline machine::MotionModel locked_model(const char* acceleration, const char* velocity) {
+  machine::MotionModel model;
   model.acceleration = std::stod(acceleration);
   model.velocity = std::stod(velocity);
   model.spindle_lock = true;
@@ -46,8 +46,8 @@ inline MotionModel locked_model(const char* acceleration, const char* velocity) 
 }
 
 /// One, two or four patches of side x side dimples in the corner of the paper's surface, 0.5 mm apart.
-inline Dimples corner_dimples(int side, int patches) {
-  return table1_dimples_from({-27.5, -27.5}, side, patches > 1 ? 2 : 1, patches > 2 ? 2 : 1);
+inline patch::Dimples corner_dimples(int side, int patches) {
+  return patch::table1_dimples_from({-27.5, -27.5}, side, patches > 1 ? 2 : 1, patches > 2 ? 2 : 1);
 }
 
 /// The exit status of run(argc, argv); an InputError is told on standard error. `usage` is told if there are

@@ -1,7 +1,8 @@
 # Synchronisation that a real controller holds: programs made by the core, run through LinuxCNC.
 foreach(PROGRAM make_program make_five_axis)
   add_executable(${PROGRAM} ${CMAKE_CURRENT_LIST_DIR}/${PROGRAM}.cpp)
-  target_include_directories(${PROGRAM} PRIVATE ${CMAKE_SOURCE_DIR}/tests/core)
+  patchmill_target(${PROGRAM})
+  target_include_directories(${PROGRAM} PRIVATE ${PROJECT_SOURCE_DIR}/tests/core)
   target_link_libraries(${PROGRAM} PRIVATE patchmill_core)
 endforeach()
 

@@ -18,45 +18,47 @@ std::vector<TopoDS_Face> faces_of(const std::vector<std::string>& breps) {
   return faces;
 }
 
-FaceSampler sampler_of(const std::vector<std::string>& breps, const TexturePlane& plane,
+FaceSampler sampler_of(const std::vector<std::string>& breps, const patch::TexturePlane& plane,
                        double steepest) {
   return FaceSampler(faces_of(breps), plane, Angle::radians(steepest));
 }
 
-py::object place_dimples(const FaceSampler& sampler, const PatchDivision& division,
-                         const TexturePlane& plane, const PatchSurface& surface,
-                         const SurfaceLattice* lattice, const py::object& progress) {
+py::object place_dimples(const FaceSampler& sampler, const patch::PatchDivision& division,
+                         const patch::TexturePlane& plane, const patch::PatchSurface& surface,
+                         const patch::SurfaceLattice* lattice, const py::object& progress) {
   const Progress report = progress_of(progress);
-  std::optional<Dimples> dimples;
+  std::optional<patch::Dimples> dimples;
   {
     const py::gil_scoped_release release;
-    const SurfaceSampler sample = [&](const std::vector<Vec2>& places) {
+    const patch::SurfaceSampler sample = [&](const std::vector<Vec2>& places) {
       return sampler.sample(places);
     };
-    dimples = lattice ? sample_patches(division, plane, lattice->place_of, sample, surface, report)
-                      : sample_patches(division, plane, sample, surface, report);
+    dimples =
+        lattice ? patch::sample_patches(division, plane, lattice->place_of, sample, surface, report)
+                : patch::sample_patches(division, plane, sample, surface, report);
   }
   return dimples ? py::cast(std::move(*dimples)) : py::none();
 }
 
-void keep_off_borders(Dimples& dimples, const std::vector<std::string>& breps, double margin) {
+void keep_off_borders(patch::Dimples& dimples, const std::vector<std::string>& breps,
+                      double margin) {
   if (margin == 0.0) return;
-  keep_off_edges(dimples, border_segments(faces_of(breps), 0.01), margin);
+  patch::keep_off_edges(dimples, border_segments(faces_of(breps), 0.01), margin);
 }
 
 py::dict hits_dict(const FaceSampler& sampler, const Eigen::Matrix<double, -1, 2>& points) {
   std::vector<Vec2> places;
   for (Eigen::Index i = 0; i < points.rows(); ++i) places.emplace_back(points.row(i));
-  std::vector<SurfaceSample> hits;
+  std::vector<patch::SurfaceSample> hits;
   {
     const py::gil_scoped_release release;
     hits = sampler.sample(places);
   }
   py::dict d;
-  d["positions"] = rows_of(hits, [](const SurfaceSample& h) { return h.point.position; });
-  d["normals"] = rows_of(hits, [](const SurfaceSample& h) { return h.point.normal; });
+  d["positions"] = rows_of(hits, [](const patch::SurfaceSample& h) { return h.point.position; });
+  d["normals"] = rows_of(hits, [](const patch::SurfaceSample& h) { return h.point.normal; });
   d["states"] = column_of<std::uint8_t>(
-      hits, [](const SurfaceSample& h) { return static_cast<std::uint8_t>(h.state); });
+      hits, [](const patch::SurfaceSample& h) { return static_cast<std::uint8_t>(h.state); });
   return d;
 }
 

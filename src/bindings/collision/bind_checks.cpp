@@ -3,9 +3,9 @@
 #include "bindings/bindings.h"
 #include "brep/read_shape.h"
 #include "brep/tessellate.h"
-#include "patchmill/geometry/error.h"
 #include "patchmill/collision/clearance.h"
 #include "patchmill/collision/mesh_distance.h"
+#include "patchmill/geometry/error.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ namespace {
 
 /// The solids of the job's models. Not known if one of them could not be meshed.
 struct PartModel {
-  PartShape shape;
+  collision::PartShape shape;
   bool known = false;
   std::string reason;
   std::int64_t triangles = 0;
@@ -24,12 +24,12 @@ struct PartModel {
 
 PartModel part_model(const std::vector<std::string>& breps, double deflection) {
   PartModel part;
-  std::vector<PartShape> solids;
+  std::vector<collision::PartShape> solids;
   const auto add = [&](const TopoDS_Shape& shape) {
     const Tessellation made = tessellate(shape, {deflection, Angle::degrees(20)});
     part.triangles += static_cast<std::int64_t>(made.mesh.triangles.size());
     if (made.closed)
-      solids.push_back(shape_from_mesh(made.mesh));
+      solids.push_back(collision::shape_from_mesh(made.mesh));
     else if (part.reason.empty())
       part.reason = made.reason;
   };
@@ -41,20 +41,20 @@ PartModel part_model(const std::vector<std::string>& breps, double deflection) {
   }
   if (solids.empty() && part.reason.empty()) part.reason = "There is no part.";
   part.known = part.reason.empty();
-  if (part.known) part.shape = join(std::move(solids));
+  if (part.known) part.shape = collision::join(std::move(solids));
   return part;
 }
 
 using SectionTuple = std::tuple<std::string, double, double, double, double>;
 
-std::vector<ToolSection> sections_of(const std::vector<SectionTuple>& tuples) {
-  std::vector<ToolSection> sections;
+std::vector<collision::ToolSection> sections_of(const std::vector<SectionTuple>& tuples) {
+  std::vector<collision::ToolSection> sections;
   for (const auto& [part, from, to, radius_from, radius_to] : tuples) {
-    ToolSection section{ToolPart::Shank, from, to, radius_from, radius_to};
+    collision::ToolSection section{collision::ToolPart::Shank, from, to, radius_from, radius_to};
     if (part == "flute")
-      section.part = ToolPart::Flute;
+      section.part = collision::ToolPart::Flute;
     else if (part == "holder")
-      section.part = ToolPart::Holder;
+      section.part = collision::ToolPart::Holder;
     else if (part != "shank")
       throw InputError("ToolSection", "'" + part + "'", "give flute, shank or holder.");
     sections.push_back(section);
@@ -62,11 +62,11 @@ std::vector<ToolSection> sections_of(const std::vector<SectionTuple>& tuples) {
   return sections;
 }
 
-const char* name(ClearanceOutcome outcome) {
+const char* name(collision::ClearanceOutcome outcome) {
   switch (outcome) {
-    case ClearanceOutcome::Clear:
+    case collision::ClearanceOutcome::Clear:
       return "clear";
-    case ClearanceOutcome::Violated:
+    case collision::ClearanceOutcome::Violated:
       return "violated";
     default:
       return "unknown";
@@ -76,13 +76,14 @@ const char* name(ClearanceOutcome outcome) {
 py::dict check(const ToolPath& path, const std::vector<SectionTuple>& tuples, const PartModel& part,
                double tolerance, double clearance, double resolution, std::size_t most_findings,
                std::size_t first_move, const py::object& progress) {
-  const std::vector<ToolSection> sections = sections_of(tuples);
+  const std::vector<collision::ToolSection> sections = sections_of(tuples);
   const Progress say = progress_of(progress);
-  ClearanceReport report;
+  collision::ClearanceReport report;
   {
     const py::gil_scoped_release release;
-    report = check_clearance(path, sections, part.shape,
-                             {tolerance, clearance, resolution, most_findings, first_move}, say);
+    report = collision::check_clearance(
+        path, sections, part.shape, {tolerance, clearance, resolution, most_findings, first_move},
+        say);
   }
   if (!part.known) report.reason = part.reason;
   const auto& f = report.findings;
@@ -91,11 +92,12 @@ py::dict check(const ToolPath& path, const std::vector<SectionTuple>& tuples, co
   d["reason"] = report.reason;
   d["unknown_moves"] = report.unknown_moves;
   std::vector<std::string> parts;
-  for (const ClearanceFinding& finding : f) parts.emplace_back(name(finding.part));
+  for (const collision::ClearanceFinding& finding : f) parts.emplace_back(name(finding.part));
   d["parts"] = parts;
-  d["moves"] = column_of<std::int64_t>(f, [](const ClearanceFinding& v) { return v.move; });
-  d["places"] = rows_of(f, [](const ClearanceFinding& v) { return v.place; });
-  d["depths"] = column_of<double>(f, [](const ClearanceFinding& v) { return v.depth; });
+  d["moves"] =
+      column_of<std::int64_t>(f, [](const collision::ClearanceFinding& v) { return v.move; });
+  d["places"] = rows_of(f, [](const collision::ClearanceFinding& v) { return v.place; });
+  d["depths"] = column_of<double>(f, [](const collision::ClearanceFinding& v) { return v.depth; });
   return d;
 }
 

@@ -15,7 +15,8 @@
 namespace patchmill {
 namespace {
 
-const char* const kKindNames[kVoxelKinds] = {"air", "part", "removal", "surface", "exterior"};
+const char* const kKindNames[voxel::kVoxelKinds] = {"air", "part", "removal", "surface",
+                                                    "exterior"};
 
 Solid solid_of_brep(const std::string& brep, double deflection, const std::string& property,
                     bool closed) {
@@ -34,11 +35,11 @@ using Corners = Eigen::Matrix<std::int32_t, -1, 3, Eigen::RowMajor>;
 
 Solid solid_of_arrays(const Points& vertices, const Corners& triangles,
                       const std::string& property) {
-  TriangleMesh mesh;
+  mesh::TriangleMesh mesh;
   for (Eigen::Index i = 0; i < vertices.rows(); ++i) mesh.vertices.emplace_back(vertices.row(i));
   for (Eigen::Index i = 0; i < triangles.rows(); ++i)
     mesh.triangles.push_back({triangles(i, 0), triangles(i, 1), triangles(i, 2)});
-  require_closed(mesh, property.c_str());
+  mesh::require_closed(mesh, property.c_str());
   return Solid(std::move(mesh));
 }
 
@@ -46,42 +47,39 @@ py::array_t<double> closest_distances(const Solid& solid, const Points& points) 
   std::vector<double> d(static_cast<std::size_t>(points.rows()));
   {
     const py::gil_scoped_release release;
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      const Vec3 p = points.row(i);
-      const auto cross = line_crossings(solid.bvh, p.y(), p.z());
-      const auto before = std::upper_bound(cross.begin(), cross.end(), p.x()) - cross.begin();
-      d[i] = (before % 2 == 1 ? -1.0 : 1.0) * closest_point(solid.bvh, p).distance;
-    }
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+      d[i] = mesh::signed_distance(solid.bvh, points.row(i));
   }
   return column_of<double>(d, [](double v) { return v; });
 }
 
-ExteriorRule exterior_rule(const std::string& name) {
-  if (name == "Held") return ExteriorRule::Held;
-  if (name == "Free") return ExteriorRule::Free;
+dcm::ExteriorRule exterior_rule(const std::string& name) {
+  if (name == "Held") return dcm::ExteriorRule::Held;
+  if (name == "Free") return dcm::ExteriorRule::Free;
   throw InputError("Exterior", "'" + name + "'", "give Held or Free.");
 }
 
-PostureOptions posture_options(const std::string& form, const std::string& exterior, double limit,
-                               double crease) {
-  PostureOptions options;
+dcm::PostureOptions posture_options(const std::string& form, const std::string& exterior,
+                                    double limit, double crease) {
+  dcm::PostureOptions options;
   if (form != "Angles" && form != "Unit vector")
     throw InputError("PostureForm", "'" + form + "'", "give Angles or Unit vector.");
-  options.form = form == "Angles" ? PostureForm::Angles : PostureForm::UnitVector;
+  options.form = form == "Angles" ? dcm::PostureForm::Angles : dcm::PostureForm::UnitVector;
   options.exterior = exterior_rule(exterior);
   options.limit = Angle::radians(limit);
   options.crease = Angle::radians(crease);
   return options;
 }
 
-py::dict counts(const VoxelGrid& grid) {
-  const auto count = count_kinds(grid);
+py::dict counts(const voxel::VoxelGrid& grid) {
+  const auto count = voxel::count_kinds(grid);
   py::dict d;
-  for (int k = 0; k < kVoxelKinds; ++k) d[kKindNames[k]] = count[static_cast<std::size_t>(k)];
+  for (int k = 0; k < voxel::kVoxelKinds; ++k)
+    d[kKindNames[k]] = count[static_cast<std::size_t>(k)];
   return d;
 }
 
-py::dict estimate_dict(const MemoryEstimate& need) {
+py::dict estimate_dict(const voxel::MemoryEstimate& need) {
   py::dict d;
   d["grid"] = need.grid;
   d["fields"] = need.fields;
@@ -91,52 +89,54 @@ py::dict estimate_dict(const MemoryEstimate& need) {
 }
 
 template <class T>
-py::array_t<T> image(const GridSection& s, const std::vector<T>& values) {
+py::array_t<T> image(const dcm::GridSection& s, const std::vector<T>& values) {
   py::array_t<T> array({py::ssize_t{s.rows}, py::ssize_t{s.columns}});
   std::copy(values.begin(), values.end(), array.mutable_data());
   return array;
 }
 
-py::dict section_dict(const VoxelGrid& grid, int axis, double place, const FeedField* feed,
-                      const Vec3& direction, const PostureField* posture) {
-  if (feed) require_over(grid, *feed);
-  if (posture) require_over(grid, *posture);
+py::dict section_dict(const voxel::VoxelGrid& grid, int axis, double place,
+                      const dcm::FeedField* feed, const Vec3& direction,
+                      const dcm::PostureField* posture) {
+  if (feed) dcm::require_over(grid, *feed);
+  if (posture) dcm::require_over(grid, *posture);
   const Vec3 along = unit_along("Direction", direction);
-  const GridSection s = section_of(grid, axis, place);
+  const dcm::GridSection s = dcm::section_of(grid, axis, place);
   py::dict d;
   std::vector<std::uint8_t> kinds;
-  for (const VoxelKind kind : s.kind) kinds.push_back(static_cast<std::uint8_t>(kind));
+  for (const voxel::VoxelKind kind : s.kind) kinds.push_back(static_cast<std::uint8_t>(kind));
   d["kind"] = image(s, kinds);
   d["origin"] = s.origin;
   d["pitch"] = s.pitch;
   d["place"] = s.place;
-  if (feed) d["feed"] = image(s, feed_on(s, *feed, along));
+  if (feed) d["feed"] = image(s, dcm::feed_on(s, *feed, along));
   if (posture)
-    d["axis"] = rows_of(axes_on(s, *posture), [](const Vec3& v) {
+    d["axis"] = rows_of(dcm::axes_on(s, *posture), [](const Vec3& v) {
                   return v;
                 }).reshape(std::vector<py::ssize_t>{s.rows, s.columns, 3});
   return d;
 }
 
-py::tuple arrows_tuple(const VoxelGrid& grid, const PostureField& posture, int stride) {
-  require_over(grid, posture);
-  const auto arrows = arrows_of(grid, posture, stride);
-  return py::make_tuple(rows_of(arrows, [](const FieldArrow& a) { return a.place; }),
-                        rows_of(arrows, [](const FieldArrow& a) { return a.axis; }));
+py::tuple arrows_tuple(const voxel::VoxelGrid& grid, const dcm::PostureField& posture, int stride) {
+  dcm::require_over(grid, posture);
+  const auto arrows = dcm::arrows_of(grid, posture, stride);
+  return py::make_tuple(rows_of(arrows, [](const dcm::FieldArrow& a) { return a.place; }),
+                        rows_of(arrows, [](const dcm::FieldArrow& a) { return a.axis; }));
 }
 
 // The paper's explicit steps of the feed along x, y and z to a time.
-std::pair<FeedField, int> transient_feed(const VoxelGrid& grid, const FeedLimits& limits,
-                                         const std::string& exterior,
-                                         const TransientOptions& options) {
-  const auto role = roles(grid, exterior_rule(exterior));
-  FeedField field;
+std::pair<dcm::FeedField, int> transient_feed(const voxel::VoxelGrid& grid,
+                                              const dcm::FeedLimits& limits,
+                                              const std::string& exterior,
+                                              const voxel::TransientOptions& options) {
+  const auto role = dcm::roles(grid, exterior_rule(exterior));
+  dcm::FeedField field;
   field.limits = limits;
   int steps = 0;
   for (int k = 0; k < 3; ++k) {
-    field.along[k] = initial_feed(grid, limits);
-    steps = diffuse_transient(grid.table, role, static_cast<DiffusionAxes>(k), grid.frame.pitch,
-                              options, field.along[k]);
+    field.along[k] = dcm::initial_feed(grid, limits);
+    steps = voxel::diffuse_transient(grid.table, role, static_cast<voxel::DiffusionAxes>(k),
+                                     grid.frame.pitch, options, field.along[k]);
   }
   return {std::move(field), steps};
 }
@@ -146,14 +146,14 @@ void bind_solids(py::module_& m) {
       .def(py::init(&solid_of_arrays), py::arg("vertices"), py::arg("triangles"),
            py::arg("property") = "mesh", "(n, 3) corners and (m, 3) indices; must be closed.")
       .def_static(
-          "box", [](const Vec3& lo, const Vec3& hi) { return Solid(box_mesh(lo, hi)); },
+          "box", [](const Vec3& lo, const Vec3& hi) { return Solid(mesh::box_mesh(lo, hi)); },
           py::arg("low"), py::arg("high"))
       .def_property_readonly("bounds",
                              [](const Solid& s) {
-                               const Box b = bounds(s.mesh);
+                               const mesh::Box b = mesh::bounds(s.mesh);
                                return py::make_tuple(b.lo, b.hi);
                              })
-      .def_property_readonly("volume", [](const Solid& s) { return volume(s.mesh); })
+      .def_property_readonly("volume", [](const Solid& s) { return mesh::volume(s.mesh); })
       .def_property_readonly(
           "vertices",
           [](const Solid& s) { return rows_of(s.mesh.vertices, [](const Vec3& v) { return v; }); })
@@ -177,13 +177,14 @@ void bind_solids(py::module_& m) {
 }
 
 void bind_grid(py::module_& m) {
-  py::class_<VoxelGrid>(m, "VoxelGrid", "The removal volume: stock less part, in cubes.")
-      .def_property_readonly("pitch", [](const VoxelGrid& g) { return g.frame.pitch; })
-      .def_property_readonly("origin", [](const VoxelGrid& g) { return g.frame.origin; })
-      .def_property_readonly("cells", [](const VoxelGrid& g) { return g.frame.cells; })
+  py::class_<voxel::VoxelGrid>(m, "VoxelGrid", "The removal volume: stock less part, in cubes.")
+      .def_property_readonly("pitch", [](const voxel::VoxelGrid& g) { return g.frame.pitch; })
+      .def_property_readonly("origin", [](const voxel::VoxelGrid& g) { return g.frame.origin; })
+      .def_property_readonly("cells", [](const voxel::VoxelGrid& g) { return g.frame.cells; })
       .def_property_readonly("counts", &counts, "Stored voxels by kind.")
       .def_property_readonly(
-          "memory", [](const VoxelGrid& g) { return estimate_dict(memory_of(g.table)); },
+          "memory",
+          [](const voxel::VoxelGrid& g) { return estimate_dict(voxel::memory_of(g.table)); },
           "Bytes of the model, its fields and the solver.")
       .def("section", &section_dict, py::arg("axis"), py::arg("place"), py::arg("feed") = nullptr,
            py::arg("direction") = Vec3(Vec3::UnitX()), py::arg("posture") = nullptr,
@@ -194,10 +195,11 @@ void bind_grid(py::module_& m) {
   m.def(
       "estimate_voxels",
       [](const Solid& stock, const Solid& part, double pitch, int posture_fields, bool materials) {
-        const GridFrame frame = frame_over(bounds(stock.mesh), pitch);
-        return estimate_dict(estimate_memory(
-            frame, std::max(0.0, volume(stock.mesh) - volume(part.mesh)),
-            surface_area(stock.mesh) + surface_area(part.mesh), posture_fields, materials));
+        const voxel::GridFrame frame = voxel::frame_over(mesh::bounds(stock.mesh), pitch);
+        return estimate_dict(voxel::estimate_memory(
+            frame, std::max(0.0, mesh::volume(stock.mesh) - mesh::volume(part.mesh)),
+            mesh::surface_area(stock.mesh) + mesh::surface_area(part.mesh), posture_fields,
+            materials));
       },
       py::arg("stock"), py::arg("part"), py::arg("pitch"), py::arg("posture_fields") = 2,
       py::arg("materials") = false,
@@ -207,29 +209,29 @@ void bind_grid(py::module_& m) {
       "voxelise",
       [](const Solid& stock, const Solid& part, double pitch, double limit, int posture_fields,
          bool materials) {
-        return voxelise(stock.mesh, part.mesh, {pitch, limit, posture_fields, materials});
+        return voxel::voxelise(stock.mesh, part.mesh, {pitch, limit, posture_fields, materials});
       },
       py::arg("stock"), py::arg("part"), py::arg("pitch"),
-      py::arg("memory_limit") = VoxelOptions().memory_limit, py::arg("posture_fields") = 2,
+      py::arg("memory_limit") = voxel::VoxelOptions().memory_limit, py::arg("posture_fields") = 2,
       py::arg("materials") = false, py::call_guard<py::gil_scoped_release>(),
       "VoxelGrid with cubes of side `pitch` [mm].");
   m.def(
       "save_voxels",
-      [](const std::string& path, const std::string& key, const VoxelGrid& grid,
-         const PostureField* posture, const VoxelMaterials* materials) {
-        if (posture) require_over(grid, *posture);
-        if (materials) require_over(grid, materials->number);
-        VoxelModel model{grid, std::nullopt, {}};
+      [](const std::string& path, const std::string& key, const voxel::VoxelGrid& grid,
+         const dcm::PostureField* posture, const VoxelMaterials* materials) {
+        if (posture) dcm::require_over(grid, *posture);
+        if (materials) dcm::require_over(grid, materials->number);
+        dcm::VoxelModel model{grid, std::nullopt, {}};
         if (posture) model.posture = *posture;
         if (materials) model.material = materials->number;
-        write_voxel_model(path, key, model);
+        dcm::write_voxel_model(path, key, model);
       },
       py::arg("path"), py::arg("key"), py::arg("grid"), py::arg("posture") = nullptr,
       py::arg("materials") = nullptr, py::call_guard<py::gil_scoped_release>());
   m.def(
       "load_voxels",
       [](const std::string& path, const std::string& key) -> py::object {
-        std::optional<VoxelModel> model = read_voxel_model(path, key);
+        std::optional<dcm::VoxelModel> model = dcm::read_voxel_model(path, key);
         if (!model) return py::none();
         const py::object posture =
             model->posture ? py::cast(std::move(*model->posture)) : py::none();
@@ -245,31 +247,33 @@ void bind_grid(py::module_& m) {
 }  // namespace
 
 void bind_dcm(py::module_& m) {
-  py::class_<FeedField>(m, "FeedField", "V_x, V_y, V_z over a VoxelGrid [mm/s].")
-      .def_property_readonly("low", [](const FeedField& f) { return f.limits.low; })
-      .def_property_readonly("high", [](const FeedField& f) { return f.limits.high; });
-  py::class_<PostureField>(m, "PostureField", "Tool axis over a VoxelGrid.")
-      .def_property_readonly("converged", [](const PostureField& p) { return p.outcome.converged; })
-      .def_property_readonly("cancelled", [](const PostureField& p) { return p.outcome.cancelled; })
+  py::class_<dcm::FeedField>(m, "FeedField", "V_x, V_y, V_z over a VoxelGrid [mm/s].")
+      .def_property_readonly("low", [](const dcm::FeedField& f) { return f.limits.low; })
+      .def_property_readonly("high", [](const dcm::FeedField& f) { return f.limits.high; });
+  py::class_<dcm::PostureField>(m, "PostureField", "Tool axis over a VoxelGrid.")
+      .def_property_readonly("converged",
+                             [](const dcm::PostureField& p) { return p.outcome.converged; })
+      .def_property_readonly("cancelled",
+                             [](const dcm::PostureField& p) { return p.outcome.cancelled; })
       .def_property_readonly("iterations",
-                             [](const PostureField& p) { return p.outcome.iterations; })
+                             [](const dcm::PostureField& p) { return p.outcome.iterations; })
       .def_property_readonly(
-          "history", [](const PostureField& p) { return p.outcome.history; },
+          "history", [](const dcm::PostureField& p) { return p.outcome.history; },
           "Relative residual before the first iteration and after each.")
       .def_property_readonly("residual",
-                             [](const PostureField& p) { return p.outcome.true_residual; });
+                             [](const dcm::PostureField& p) { return p.outcome.true_residual; });
   bind_solids(m);
   bind_grid(m);
   m.def(
       "steady_feed",
-      [](const VoxelGrid& grid, double low, double high, const std::string& exterior) {
-        return steady_feed(grid, {low, high}, exterior_rule(exterior));
+      [](const voxel::VoxelGrid& grid, double low, double high, const std::string& exterior) {
+        return dcm::steady_feed(grid, {low, high}, exterior_rule(exterior));
       },
       py::arg("grid"), py::arg("low"), py::arg("high"), py::arg("exterior") = "Held",
       py::call_guard<py::gil_scoped_release>(), "FeedField between V_Lo and V_Hi [mm/s].");
   m.def(
       "diffuse_feed",
-      [](const VoxelGrid& grid, double low, double high, double time, double step,
+      [](const voxel::VoxelGrid& grid, double low, double high, double time, double step,
          double diffusivity, bool substep, const std::string& exterior) {
         return transient_feed(grid, {low, high}, exterior, {time, step, diffusivity, substep});
       },
@@ -279,16 +283,16 @@ void bind_dcm(py::module_& m) {
       "(FeedField after `time` [s], steps taken); steps beyond the limit are refused or divided.");
   m.def(
       "steady_posture",
-      [](const VoxelGrid& grid, const Solid& part, const std::string& form,
+      [](const voxel::VoxelGrid& grid, const Solid& part, const std::string& form,
          const std::string& exterior, double limit, double crease, const py::object& progress) {
-        const PostureOptions options = posture_options(form, exterior, limit, crease);
+        const dcm::PostureOptions options = posture_options(form, exterior, limit, crease);
         const Progress report = progress_of(progress);
         const py::gil_scoped_release release;
-        return steady_posture(grid, part.mesh, part.bvh, options, report);
+        return dcm::steady_posture(grid, part.mesh, part.bvh, options, report);
       },
       py::arg("grid"), py::arg("part"), py::arg("form") = "Angles", py::arg("exterior") = "Held",
-      py::arg("limit") = PostureOptions().limit.radians(),
-      py::arg("crease") = PostureOptions().crease.radians(), py::arg("progress") = py::none(),
+      py::arg("limit") = dcm::PostureOptions().limit.radians(),
+      py::arg("crease") = dcm::PostureOptions().crease.radians(), py::arg("progress") = py::none(),
       "PostureField; `limit` and `crease` [rad].");
 }
 

@@ -3,13 +3,13 @@
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
 #include "bindings/voxel/voxel_materials.h"
+#include "patchmill/collision/clear_axis.h"
 #include "patchmill/copy/chosen_faces.h"
 #include "patchmill/copy/copy_milling.h"
 #include "patchmill/copy/live_session.h"
 #include "patchmill/copy/plunge_feed.h"
 #include "patchmill/dcm/air_cuts.h"
 #include "patchmill/dcm/apply_dcm.h"
-#include "patchmill/collision/clear_axis.h"
 #include "patchmill/geometry/require.h"
 
 namespace patchmill {
@@ -17,30 +17,30 @@ namespace {
 
 using Sections = std::vector<std::array<double, 4>>;
 
-std::vector<HolderSection> holder_of(const Sections& sections) {
-  std::vector<HolderSection> holder;
+std::vector<collision::HolderSection> holder_of(const Sections& sections) {
+  std::vector<collision::HolderSection> holder;
   for (const auto& s : sections) holder.push_back({s[0], s[1], s[2], s[3]});
   return holder;
 }
 
-ClearOptions clear_options(double clearance, double lowest) {
-  ClearOptions options;
+collision::ClearOptions clear_options(double clearance, double lowest) {
+  collision::ClearOptions options;
   options.clearance = clearance;
   options.resolution = std::max(0.02, 0.1 * clearance);
   options.lowest = Angle::radians(lowest);
   return options;
 }
 
-DcmOptions dcm_options(const std::string& reading, const std::string& read_at,
-                       double feed_tolerance, double axis_tolerance, double axis_rate,
-                       double acceleration) {
-  DcmOptions options;
+dcm::DcmOptions dcm_options(const std::string& reading, const std::string& read_at,
+                            double feed_tolerance, double axis_tolerance, double axis_rate,
+                            double acceleration) {
+  dcm::DcmOptions options;
   if (reading != "Smooth" && reading != "Staircase")
     throw InputError("Reading", "'" + reading + "'", "give Smooth or Staircase.");
   if (read_at != "Ball centre" && read_at != "Tip")
     throw InputError("ReadAt", "'" + read_at + "'", "give Ball centre or Tip.");
-  options.reading = reading == "Smooth" ? Reading::Trilinear : Reading::Nearest;
-  options.read_at = read_at == "Tip" ? ReadAt::Tip : ReadAt::BallCentre;
+  options.reading = reading == "Smooth" ? dcm::Reading::Trilinear : dcm::Reading::Nearest;
+  options.read_at = read_at == "Tip" ? dcm::ReadAt::Tip : dcm::ReadAt::BallCentre;
   options.feed_tolerance = feed_tolerance;
   options.axis_tolerance = Angle::radians(axis_tolerance);
   options.axis_rate = axis_rate;
@@ -52,19 +52,20 @@ py::array_t<std::int64_t> source_array(const std::vector<std::int64_t>& source) 
   return column_of<std::int64_t>(source, [](std::int64_t v) { return v; });
 }
 
-py::tuple apply(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
-                const PostureField* posture, const Solid* part, const Sections& holder,
+py::tuple apply(const ToolPath& path, const voxel::VoxelGrid& grid, const dcm::FeedField* feed,
+                const dcm::PostureField* posture, const Solid* part, const Sections& holder,
                 double clearance, double lowest, const std::string& reading,
                 const std::string& read_at, double feed_tolerance, double axis_tolerance,
                 double axis_rate, double acceleration) {
-  DcmOptions options =
+  dcm::DcmOptions options =
       dcm_options(reading, read_at, feed_tolerance, axis_tolerance, axis_rate, acceleration);
   const auto sections = holder_of(holder);
-  const ClearOptions limits = clear_options(clearance, lowest);
+  const collision::ClearOptions limits = clear_options(clearance, lowest);
   std::int64_t not_clear = 0;
   if (part && !sections.empty())
     options.axis_rule = [&](const Vec3& centre, const Vec3& wanted) {
-      const ClearAxis found = clear_axis(part->bvh, sections, centre, wanted, limits);
+      const collision::ClearAxis found =
+          collision::clear_axis(part->bvh, sections, centre, wanted, limits);
       not_clear += found.clear ? 0 : 1;
       return found.axis;
     };
@@ -72,13 +73,13 @@ py::tuple apply(const ToolPath& path, const VoxelGrid& grid, const FeedField* fe
   ToolPath out;
   {
     const py::gil_scoped_release release;
-    out = apply_dcm(path, grid, feed, posture, options, &source);
+    out = dcm::apply_dcm(path, grid, feed, posture, options, &source);
   }
   return py::make_tuple(std::move(out), source_array(source), not_clear);
 }
 
 py::dict steps_dict(const ToolPath& path) {
-  const PathSteps s = path_steps(path);
+  const dcm::PathSteps s = dcm::path_steps(path);
   py::dict d;
   d["feed"] = s.feed;
   d["feed_at_corners"] = s.feed_at_corners;
@@ -91,10 +92,11 @@ py::dict steps_dict(const ToolPath& path) {
 
 py::dict clearance_dict(const Solid& part, const Sections& holder, const ToolPath& path,
                         double clearance, double step) {
-  PathClearance found;
+  collision::PathClearance found;
   {
     const py::gil_scoped_release release;
-    found = path_clearance(part.bvh, holder_of(holder), path, clear_options(clearance, kPi), step);
+    found = collision::path_clearance(part.bvh, holder_of(holder), path,
+                                      clear_options(clearance, kPi), step);
   }
   py::dict d;
   d["least"] = found.least;
@@ -115,20 +117,20 @@ ToolPath joined(const std::vector<ToolPath>& paths) {
   return out;
 }
 
-CopyMode copy_mode(const std::string& name) {
-  if (name == "Scanning") return CopyMode::Scanning;
-  if (name == "Scanning with undercuts") return CopyMode::ScanningUndercut;
-  if (name == "Contour") return CopyMode::Contour;
+copy::CopyMode copy_mode(const std::string& name) {
+  if (name == "Scanning") return copy::CopyMode::Scanning;
+  if (name == "Scanning with undercuts") return copy::CopyMode::ScanningUndercut;
+  if (name == "Contour") return copy::CopyMode::Contour;
   throw InputError("Mode", "'" + name + "'", "give Scanning, Scanning with undercuts, or Contour.");
 }
 
 void bind_copy(py::module_& m) {
-  py::class_<CopyOptions>(m, "CopyOptions", "What copy_mill needs beside the part. mm, s.")
+  py::class_<copy::CopyOptions>(m, "CopyOptions", "What copy_mill needs beside the part. mm, s.")
       .def(py::init([](const std::string& mode, const BallEndMill& tool, const Spindle& spindle,
                        double feed, double radial_depth, double axial_depth, double tolerance,
                        double allowance, const Vec3& low, const Vec3& high, double clearance,
                        double overlap) {
-             CopyOptions o;
+             copy::CopyOptions o;
              o.mode = copy_mode(mode);
              o.tool = tool;
              o.spindle = spindle;
@@ -149,10 +151,10 @@ void bind_copy(py::module_& m) {
            py::arg("overlap") = 0.0);
   m.def(
       "copy_mill",
-      [](const Solid& part, const CopyOptions& options, const py::object& progress) {
+      [](const Solid& part, const copy::CopyOptions& options, const py::object& progress) {
         const Progress report = progress_of(progress);
         const py::gil_scoped_release release;
-        CopiedPath made = copy_mill(part.bvh, options, report);
+        copy::CopiedPath made = copy::copy_mill(part.bvh, options, report);
         return std::make_pair(std::move(made.path), made.out_of_reach);
       },
       py::arg("part"), py::arg("options"), py::arg("progress") = py::none(),
@@ -162,17 +164,17 @@ void bind_copy(py::module_& m) {
       "far.");
   m.def(
       "over_faces",
-      [](const ToolPath& path, const Solid& part, const Solid& faces, const CopyOptions& options,
-         const py::object& progress) {
+      [](const ToolPath& path, const Solid& part, const Solid& faces,
+         const copy::CopyOptions& options, const py::object& progress) {
         const Progress report = progress_of(progress);
         const py::gil_scoped_release release;
-        return over_faces(path, part.bvh, faces.bvh, options, report);
+        return copy::over_faces(path, part.bvh, faces.bvh, options, report);
       },
       py::arg("path"), py::arg("part"), py::arg("faces"), py::arg("options"),
       py::arg("progress") = py::none(),
       "Of a path that copy_mill made of `part` with `options`, the cuts on which the ball works on "
       "`faces`; all else is left out. If progress(share) returns False: what was done so far.");
-  m.def("with_plunge_feed", &with_plunge_feed, py::arg("path"), py::arg("vertical"),
+  m.def("with_plunge_feed", &copy::with_plunge_feed, py::arg("path"), py::arg("vertical"),
         py::call_guard<py::gil_scoped_release>(),
         "The path with no timed move going down faster than `vertical` [mm/s].");
   m.def("joined", &joined, py::arg("paths"),
@@ -182,39 +184,40 @@ void bind_copy(py::module_& m) {
       [](double radius, double cross_feed) {
         require_positive("BallRadius", radius, "mm");
         require_in_range("CrossFeed", cross_feed, 0.0, 1e6, "mm");
-        return scallop_height(radius, cross_feed);
+        return copy::scallop_height(radius, cross_feed);
       },
       py::arg("radius"), py::arg("cross_feed"),
       "Ridge on a flat between passes [mm]; the radius where the ball does not reach between "
       "them.");
 }
 
-LiveConditions changed(const LiveConditions& now, const std::optional<double>& radial,
-                       const std::optional<double>& axial, const std::optional<double>& low,
-                       const std::optional<double>& high) {
+copy::LiveConditions changed(const copy::LiveConditions& now, const std::optional<double>& radial,
+                             const std::optional<double>& axial, const std::optional<double>& low,
+                             const std::optional<double>& high) {
   return {radial.value_or(now.radial_depth),
           axial.value_or(now.axial_depth),
           {low.value_or(now.feed.low), high.value_or(now.feed.high)}};
 }
 
 void bind_live(py::module_& m) {
-  py::class_<LiveSession>(m, "LiveSession", "Copy milling made while the tool cuts. mm, s.")
-      .def(py::init([](const Solid& part, const VoxelGrid& grid, const CopyOptions& options,
-                       double low, double high, const VoxelMaterials* materials,
-                       const std::vector<double>& factors) {
-             FeedFactors found;
+  py::class_<copy::LiveSession>(m, "LiveSession", "Copy milling made while the tool cuts. mm, s.")
+      .def(py::init([](const Solid& part, const voxel::VoxelGrid& grid,
+                       const copy::CopyOptions& options, double low, double high,
+                       const VoxelMaterials* materials, const std::vector<double>& factors) {
+             dcm::FeedFactors found;
              if (materials) found = {materials->number, factors};
-             return LiveSession(part.bvh, grid, options, {low, high}, {}, std::move(found));
+             return copy::LiveSession(part.bvh, grid, options, {low, high}, {}, std::move(found));
            }),
            py::arg("part"), py::arg("grid"), py::arg("options"), py::arg("low"), py::arg("high"),
            py::arg("materials") = nullptr, py::arg("factors") = std::vector<double>(),
            py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
            "V_Lo and V_Hi in mm/s; `factors` on the feed, the stock's own first, as scale_feed's.")
-      .def("next", &LiveSession::next, py::arg("seconds"), py::call_guard<py::gil_scoped_release>(),
+      .def("next", &copy::LiveSession::next, py::arg("seconds"),
+           py::call_guard<py::gil_scoped_release>(),
            "ToolPath of the next moves, at most `seconds`; without moves when all is cut.")
       .def(
           "change",
-          [](LiveSession& s, const std::optional<double>& radial,
+          [](copy::LiveSession& s, const std::optional<double>& radial,
              const std::optional<double>& axial, const std::optional<double>& low,
              const std::optional<double>& high) {
             s.change(changed(s.conditions(), radial, axial, low, high));
@@ -223,11 +226,11 @@ void bind_live(py::module_& m) {
           py::arg("low") = py::none(), py::arg("high") = py::none(),
           "From the next batch on; what is not given stays. The radial depth from the next line "
           "on.")
-      .def_property_readonly("done", &LiveSession::done)
-      .def_property_readonly("line", &LiveSession::line)
-      .def_property_readonly("level", &LiveSession::level)
-      .def_property_readonly("conditions", [](const LiveSession& s) {
-        const LiveConditions& c = s.conditions();
+      .def_property_readonly("done", &copy::LiveSession::done)
+      .def_property_readonly("line", &copy::LiveSession::line)
+      .def_property_readonly("level", &copy::LiveSession::level)
+      .def_property_readonly("conditions", [](const copy::LiveSession& s) {
+        const copy::LiveConditions& c = s.conditions();
         py::dict d;
         d["radial_depth"] = c.radial_depth;
         d["axial_depth"] = c.axial_depth;
@@ -257,13 +260,13 @@ void bind_dcm_path(py::module_& m) {
         "many moves come nearer than `clearance`.");
   m.def(
       "hurry_in_air",
-      [](const ToolPath& path, const VoxelGrid& grid, double feed, bool flat) {
+      [](const ToolPath& path, const voxel::VoxelGrid& grid, double feed, bool flat) {
         std::vector<std::int64_t> source;
         ToolPath out;
         {
           const py::gil_scoped_release release;
-          out =
-              hurry_in_air(path, grid, {feed, 0.0, flat ? ToolEnd::Flat : ToolEnd::Ball}, &source);
+          out = dcm::hurry_in_air(
+              path, grid, {feed, 0.0, flat ? dcm::ToolEnd::Flat : dcm::ToolEnd::Ball}, &source);
         }
         return py::make_tuple(std::move(out), source_array(source));
       },

@@ -3,15 +3,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
-#include "patchmill/geometry/require.h"
 #include "patchmill/gcode/programmed_path.h"
+#include "patchmill/geometry/require.h"
 
 #include <optional>
 
 namespace patchmill {
 namespace {
 
-Joints finite(const Joints& joints) {
+machine::Joints finite(const machine::Joints& joints) {
   require_finite("Joints", Vec2(joints[0], joints[1]), "rad");
   return joints;
 }
@@ -21,23 +21,23 @@ const Vec3& finite(const Vec3& point) {
   return point;
 }
 
-Kinematics kinematics_of(const Vec3& lowest, const Vec3& highest, const Vec3& work_zero) {
-  Kinematics machine;
+machine::Kinematics kinematics_of(const Vec3& lowest, const Vec3& highest, const Vec3& work_zero) {
+  machine::Kinematics machine;
   machine.lowest = lowest;
   machine.highest = highest;
   machine.work_zero = work_zero;
   return machine;
 }
 
-void add_rotary(Kinematics& machine, const std::string& letter, const std::string& side,
+void add_rotary(machine::Kinematics& machine, const std::string& letter, const std::string& side,
                 const Vec3& direction, const Vec3& point, double lowest, double highest,
                 double rate, double acceleration) {
   if (letter.size() != 1) throw InputError("letter", "'" + letter + "'", "give A, B or C.");
   if (side != "table" && side != "head")
     throw InputError("side", "'" + side + "'", "give table or head.");
-  RotaryAxis axis;
+  machine::RotaryAxis axis;
   axis.letter = letter[0];
-  axis.side = side == "table" ? AxisSide::Table : AxisSide::Head;
+  axis.side = side == "table" ? machine::AxisSide::Table : machine::AxisSide::Head;
   axis.direction = direction.norm() > 1e-9 ? Vec3(direction.normalized()) : Vec3(Vec3::Zero());
   axis.point = point;
   axis.lowest = lowest;
@@ -47,9 +47,9 @@ void add_rotary(Kinematics& machine, const std::string& letter, const std::strin
   machine.rotary.push_back(axis);
 }
 
-py::dict plan_dict(const Kinematics& machine, const Points& axes,
+py::dict plan_dict(const machine::Kinematics& machine, const Points& axes,
                    const py::array_t<bool, py::array::forcecast>& clear, double pole_tolerance) {
-  std::vector<AxisTarget> targets;
+  std::vector<machine::AxisTarget> targets;
   if (clear.ndim() != 1)
     throw InputError("clear", std::to_string(clear.ndim()) + " dimensions", "give an (n,) array.");
   const auto flag = clear.unchecked<1>();
@@ -58,10 +58,10 @@ py::dict plan_dict(const Kinematics& machine, const Points& axes,
     throw InputError("clear", std::to_string(flag.shape(0)), "give one for each axis.");
   for (std::size_t i = 0; i < directions.size(); ++i)
     targets.push_back({unit_along("axes", directions[i]), flag(static_cast<py::ssize_t>(i))});
-  JointPlan plan;
+  machine::JointPlan plan;
   {
     const py::gil_scoped_release release;
-    plan = plan_joints(machine, targets, pole_tolerance);
+    plan = machine::plan_joints(machine, targets, pole_tolerance);
   }
   py::dict d;
   d["complete"] = plan.complete;
@@ -72,15 +72,16 @@ py::dict plan_dict(const Kinematics& machine, const Points& axes,
   return d;
 }
 
-ProgramForm form_of(bool tcp, const std::string& reference, double chord, double chord_clear) {
+gcode::ProgramForm form_of(bool tcp, const std::string& reference, double chord,
+                           double chord_clear) {
   if (reference != "tip" && reference != "ball centre")
     throw InputError("reference", "'" + reference + "'", "give tip or ball centre.");
-  return {tcp, reference == "tip" ? ReferencePoint::Tip : ReferencePoint::BallCentre, chord,
-          chord_clear};
+  return {tcp, reference == "tip" ? gcode::ReferencePoint::Tip : gcode::ReferencePoint::BallCentre,
+          chord, chord_clear};
 }
 
-py::dict load_dict(const Kinematics& machine, const PosturePath& posture) {
-  const AxisLoad load = axis_load(machine, posture);
+py::dict load_dict(const machine::Kinematics& machine, const machine::PosturePath& posture) {
+  const machine::AxisLoad load = machine::axis_load(machine, posture);
   py::dict d;
   d["rate"] = load.rate;
   d["rate_axis"] = std::string(1, load.rate_axis);
@@ -91,62 +92,69 @@ py::dict load_dict(const Kinematics& machine, const PosturePath& posture) {
 }
 
 void bind_machine_chain(py::module_& m) {
-  py::class_<Kinematics>(m, "Kinematics", "Rotary axes in chain order, from the work to the tool.")
+  py::class_<machine::Kinematics>(m, "Kinematics",
+                                  "Rotary axes in chain order, from the work to the tool.")
       .def(py::init(&kinematics_of), py::arg("lowest"), py::arg("highest"), py::arg("work_zero"))
       .def("add_rotary", &add_rotary, py::arg("letter"), py::arg("side"), py::arg("direction"),
            py::arg("point"), py::arg("lowest"), py::arg("highest"), py::arg("rate"),
            py::arg("acceleration"))
-      .def("require_valid", [](const Kinematics& machine) { require_valid(machine); })
+      .def("require_valid",
+           [](const machine::Kinematics& machine) { machine::require_valid(machine); })
       .def_property_readonly("letters",
-                             [](const Kinematics& machine) {
+                             [](const machine::Kinematics& machine) {
                                std::string letters;
-                               for (const RotaryAxis& axis : machine.rotary) letters += axis.letter;
+                               for (const machine::RotaryAxis& axis : machine.rotary)
+                                 letters += axis.letter;
                                return letters;
                              })
       .def(
           "tool_axis",
-          [](const Kinematics& machine, const Joints& joints) {
-            return tool_axis(machine, finite(joints));
+          [](const machine::Kinematics& machine, const machine::Joints& joints) {
+            return machine::tool_axis(machine, finite(joints));
           },
           py::arg("joints"), "Unit tool axis in the work frame, from tip to holder.")
       .def(
           "contact_azimuth",
-          [](const Kinematics& machine, const Joints& joints, const Vec3& normal) {
-            return contact_azimuth(machine, finite(joints), unit_along("normal", normal));
+          [](const machine::Kinematics& machine, const machine::Joints& joints,
+             const Vec3& normal) {
+            return machine::contact_azimuth(machine, finite(joints), unit_along("normal", normal));
           },
           py::arg("joints"), py::arg("normal"),
           "Azimuth [rad] of the contact point as seen from the housing; `normal` in the work "
           "frame.")
       .def(
           "solve_axis",
-          [](const Kinematics& machine, const Vec3& axis) {
-            std::vector<Joints> all;
-            for (const AxisSolution& s : solve_axis(machine, unit_along("axis", axis)))
+          [](const machine::Kinematics& machine, const Vec3& axis) {
+            std::vector<machine::Joints> all;
+            for (const machine::AxisSolution& s :
+                 machine::solve_axis(machine, unit_along("axis", axis)))
               all.push_back(s.joints);
             return all;
           },
           py::arg("axis"), "Both ways to point the tool along `axis`, without limits and turns.")
       .def(
           "pivot_referred",
-          [](const Kinematics& machine, const Vec3& point, const Joints& joints) {
-            return pivot_referred(machine, finite(point), finite(joints));
+          [](const machine::Kinematics& machine, const Vec3& point, const machine::Joints& joints) {
+            return machine::pivot_referred(machine, finite(point), finite(joints));
           },
           py::arg("point"), py::arg("joints"),
           "What X Y Z are told without TCP for a programmed point of the work frame [mm].")
       .def(
           "in_work_frame",
-          [](const Kinematics& machine, const Vec3& linear, const Joints& joints) {
-            return in_work_frame(machine, finite(linear), finite(joints));
+          [](const machine::Kinematics& machine, const Vec3& linear,
+             const machine::Joints& joints) {
+            return machine::in_work_frame(machine, finite(linear), finite(joints));
           },
           py::arg("linear"), py::arg("joints"), "The inverse of pivot_referred [mm].");
 }
 
 void bind_form(py::module_& m) {
-  py::class_<ProgramForm>(m, "ProgramForm", "With TCP or without; programmed point; chords [mm].")
+  py::class_<gcode::ProgramForm>(m, "ProgramForm",
+                                 "With TCP or without; programmed point; chords [mm].")
       .def(py::init(&form_of), py::arg("tcp") = true, py::arg("reference") = "tip",
            py::arg("chord") = 1e-3, py::arg("chord_clear") = 0.0)
-      .def_readonly("tcp", &ProgramForm::tcp);
-  m.def("with_tool", &with_tool, py::arg("machine"), py::arg("tool_length"), py::arg("form"),
+      .def_readonly("tcp", &gcode::ProgramForm::tcp);
+  m.def("with_tool", &gcode::with_tool, py::arg("machine"), py::arg("tool_length"), py::arg("form"),
         py::arg("tool"), "`machine` with the tool length that the form's programmed point has.");
 }
 
@@ -154,20 +162,21 @@ void bind_joints(py::module_& m) {
   m.def("plan_joints", &plan_dict, py::arg("machine"), py::arg("axes"), py::arg("clear"),
         py::arg("pole_tolerance") = 1e-9,
         "Joints along axes (n, 3) by least travel within limits; unwinding only where `clear`.");
-  py::class_<PosturePath>(m, "PosturePath", "A path with the angles of its rotary axes.")
-      .def_readonly("path", &PosturePath::path)
+  py::class_<machine::PosturePath>(m, "PosturePath", "A path with the angles of its rotary axes.")
+      .def_readonly("path", &machine::PosturePath::path)
       .def_property_readonly(
-          "joints", [](const PosturePath& p) { return joints_array(p.joints); },
+          "joints", [](const machine::PosturePath& p) { return joints_array(p.joints); },
           "At the start and at the end of each move, (n + 1, 2).");
   m.def(
       "plan_path_joints",
-      [](const Kinematics& machine, const ToolPath& path, double pole_tolerance,
+      [](const machine::Kinematics& machine, const ToolPath& path, double pole_tolerance,
          std::optional<int> decimals) {
-        JointPlan plan = plan_joints(machine, path, pole_tolerance);
+        machine::JointPlan plan = machine::plan_joints(machine, path, pole_tolerance);
         if (!plan.complete)
           throw InputError("ToolAxis", "move " + std::to_string(plan.failed), plan.reason);
-        PosturePath planned{path, std::move(plan.joints)};
-        return decimals ? on_degrees(std::move(planned), machine, Decimals(*decimals)) : planned;
+        machine::PosturePath planned{path, std::move(plan.joints)};
+        return decimals ? gcode::on_degrees(std::move(planned), machine, Decimals(*decimals))
+                        : planned;
       },
       py::arg("machine"), py::arg("path"), py::arg("pole_tolerance") = 1e-9,
       py::arg("decimals") = py::none(), py::call_guard<py::gil_scoped_release>(),
@@ -175,9 +184,9 @@ void bind_joints(py::module_& m) {
       "ToolAxis.");
   m.def(
       "programmed",
-      [](const PosturePath& posture, const Kinematics& machine, const ProgramForm& form,
-         int decimals) {
-        return on_decimals(programmed(posture, machine, form), Decimals(decimals));
+      [](const machine::PosturePath& posture, const machine::Kinematics& machine,
+         const gcode::ProgramForm& form, int decimals) {
+        return gcode::on_decimals(gcode::programmed(posture, machine, form), Decimals(decimals));
       },
       py::arg("posture"), py::arg("machine"), py::arg("form"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/path/path_text.h"
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/freecad_text.h"
 #include "patchmill/gcode/gcode_reader.h"
 #include "patchmill/gcode/path_feeds.h"
 #include "patchmill/gcode/program_writer.h"
+#include "patchmill/geometry/error.h"
 
 #include <clocale>
 
@@ -23,8 +23,8 @@ std::string program_of(const std::vector<std::string>& texts, const std::string&
                        const std::vector<std::pair<std::string, double>>& retract,
                        const std::optional<std::pair<Vec3, Vec3>>& stock,
                        const std::vector<bool>& own) {
-  ProgramStyle style;
-  style.control = &control_of(dialect);
+  gcode::ProgramStyle style;
+  style.control = &gcode::control_of(dialect);
   style.precision = precision;
   style.line_numbers = line_numbers;
   style.comments = comments;
@@ -48,7 +48,7 @@ std::string program_of(const std::vector<std::string>& texts, const std::string&
   }
   style.stock = stock;
   style.own = own;
-  return write_program(texts, style);
+  return gcode::write_program(texts, style);
 }
 
 void bind_text(py::module_& m) {
@@ -64,8 +64,8 @@ void bind_text(py::module_& m) {
       "freecad_text",
       [](const ToolPath& path, std::optional<double> feed, int decimals, bool exact_stop) {
         const Decimals d(decimals);
-        return PathText((exact_stop ? "G61\n" : "") +
-                        (feed ? freecad_text(path, *feed, d) : freecad_text(path, d)));
+        return PathText((exact_stop ? "G61\n" : "") + (feed ? gcode::freecad_text(path, *feed, d)
+                                                            : gcode::freecad_text(path, d)));
       },
       py::arg("path"), py::arg("feed"), py::arg("decimals"), py::arg("exact_stop") = false,
       py::call_guard<py::gil_scoped_release>(),
@@ -74,29 +74,31 @@ void bind_text(py::module_& m) {
 }
 
 void bind_reader(py::module_& m) {
-  py::class_<ProgramSection>(m, "ProgramSection", "One tool, spindle speed and sense of a program.")
-      .def_readonly("tool_number", &ProgramSection::tool_number)
-      .def_readonly("offset", &ProgramSection::offset,
+  py::class_<gcode::ProgramSection>(m, "ProgramSection",
+                                    "One tool, spindle speed and sense of a program.")
+      .def_readonly("tool_number", &gcode::ProgramSection::tool_number)
+      .def_readonly("offset", &gcode::ProgramSection::offset,
                     "Work offset in force: 'G55', 'G54.1 P3'; '' while the program has named none.")
-      .def_readonly("path", &ProgramSection::path)
-      .def_readonly("unplaced", &ProgramSection::unplaced,
+      .def_readonly("path", &gcode::ProgramSection::path)
+      .def_readonly("unplaced", &gcode::ProgramSection::unplaced,
                     "Moves at the beginning that start nobody knows where.")
-      .def_readonly("lines", &ProgramSection::lines)
+      .def_readonly("lines", &gcode::ProgramSection::lines)
       .def_property_readonly(
           "angles",
-          [](const ProgramSection& s) {
+          [](const gcode::ProgramSection& s) {
             return rows_of(s.angles,
                            [](const std::array<double, 3>& a) { return Vec3(a[0], a[1], a[2]); });
           },
           "A, B and C at the start and at the end of each move [rad], (n + 1, 3).")
-      .def_property_readonly("tcp", [](const ProgramSection& s) {
+      .def_property_readonly("tcp", [](const gcode::ProgramSection& s) {
         return column_of<bool>(s.tcp, [](bool on) { return on; });
       });
   m.def(
       "read_gcode",
       [](const std::string& text, const BallEndMill& tool, const std::string& dialect, bool rotary,
          const std::string& tcp_on, const std::string& tcp_off) {
-        return read_gcode(text, tool, {&control_of(dialect), rotary, tcp_on, tcp_off}).sections;
+        return gcode::read_gcode(text, tool, {&gcode::control_of(dialect), rotary, tcp_on, tcp_off})
+            .sections;
       },
       py::arg("text"), py::arg("tool"), py::arg("dialect") = "linuxcnc", py::arg("rotary") = false,
       py::arg("tcp_on") = "", py::arg("tcp_off") = "", py::call_guard<py::gil_scoped_release>(),
@@ -107,9 +109,10 @@ void bind_reader(py::module_& m) {
       "program_lines",
       [](const std::string& text, const std::string& dialect) {
         std::vector<std::pair<long, std::vector<std::pair<std::string, double>>>> lines;
-        for (const ProgramLine& line : program_lines(text, control_of(dialect))) {
+        for (const gcode::ProgramLine& line :
+             gcode::program_lines(text, gcode::control_of(dialect))) {
           lines.push_back({line.number, {}});
-          for (const GcodeWord& w : line.words)
+          for (const gcode::GcodeWord& w : line.words)
             lines.back().second.emplace_back(std::string(1, w.letter), w.value);
         }
         return lines;
@@ -119,29 +122,29 @@ void bind_reader(py::module_& m) {
       "G4 P in seconds, "
       "offsets as G54 to G59.3, TCP as G43.4 and G49. Raises InputError for a word that the "
       "control would refuse.");
-  py::class_<PlanMatch>(m, "PlanMatch", "How a path read back compares with its plan.")
-      .def_readonly("complete", &PlanMatch::complete)
-      .def_readonly("found", &PlanMatch::found)
-      .def_readonly("largest_miss", &PlanMatch::largest_miss)
-      .def_readonly("extra_moves", &PlanMatch::extra_moves)
-      .def_readonly("lost_moves", &PlanMatch::lost_moves);
-  m.def("match_plan", &match_plan, py::arg("read"), py::arg("plan"), py::arg("tolerance"),
+  py::class_<gcode::PlanMatch>(m, "PlanMatch", "How a path read back compares with its plan.")
+      .def_readonly("complete", &gcode::PlanMatch::complete)
+      .def_readonly("found", &gcode::PlanMatch::found)
+      .def_readonly("largest_miss", &gcode::PlanMatch::largest_miss)
+      .def_readonly("extra_moves", &gcode::PlanMatch::extra_moves)
+      .def_readonly("lost_moves", &gcode::PlanMatch::lost_moves);
+  m.def("match_plan", &gcode::match_plan, py::arg("read"), py::arg("plan"), py::arg("tolerance"),
         "Gives the moves of `read` the kinds and dimple numbers of `plan`, in place.");
 }
 
-py::dict control_dict(const Control& control) {
+py::dict control_dict(const gcode::Control& control) {
   py::dict d;
   d["name"] = std::string(control.name);
   d["title"] = std::string(control.title);
   d["max_decimals"] = control.can.max_decimals;
   d["tcp"] = control.can.tcp;
   d["inverse_time"] = control.can.inverse_time;
-  d["spindle_lock"] = control.can.lead != LeadRule::None;
+  d["spindle_lock"] = control.can.lead != gcode::LeadRule::None;
   d["cycles"] = control.can.cycles;
   std::vector<std::string> offsets;
-  for (const CodeWord& word : control.codes)
+  for (const gcode::CodeWord& word : control.codes)
     if (word.letter == 'G' && word.means >= 540 && word.means <= 593 && word.means != 541)
-      offsets.push_back(code_text('G', word.means));
+      offsets.push_back(gcode::code_text('G', word.means));
   d["offsets"] = offsets;
   return d;
 }
@@ -176,16 +179,17 @@ void bind_writer(py::module_& m) {
       "controls",
       [] {
         std::vector<py::dict> all;
-        for (const Control* control : controls()) all.push_back(control_dict(*control));
+        for (const gcode::Control* control : gcode::controls())
+          all.push_back(control_dict(*control));
         return all;
       },
       "What each control can do, as dicts: name, title, max_decimals, tcp, inverse_time, "
       "spindle_lock, cycles, "
       "offsets.");
   m.def(
-      "feeds_of", [](const std::string& text) { return feeds_of(text); }, py::arg("text"),
+      "feeds_of", [](const std::string& text) { return gcode::feeds_of(text); }, py::arg("text"),
       "The values of all F words of a path's text, in their order.");
-  m.def("with_feeds", &with_feeds, py::arg("text"), py::arg("feeds"),
+  m.def("with_feeds", &gcode::with_feeds, py::arg("text"), py::arg("feeds"),
         py::call_guard<py::gil_scoped_release>(),
         "A path's text with its F words replaced by `feeds`, where they are the same but for "
         "FreeCAD's six "
@@ -195,7 +199,7 @@ void bind_writer(py::module_& m) {
   m.def(
       "safe_comment",
       [](const std::string& dialect, const std::string& text) {
-        return safe_comment(control_of(dialect).comments, text);
+        return gcode::safe_comment(gcode::control_of(dialect).comments, text);
       },
       py::arg("dialect"), py::arg("text"), "`text` as a comment that the control never acts on.");
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/path/path_text.h"
+#include "patchmill/gcode/rs274_text.h"
 #include "patchmill/geometry/error.h"
 #include "patchmill/machine/motion_model.h"
-#include "patchmill/gcode/rs274_text.h"
 #include "patchmill/sync/calibration.h"
 #include "patchmill/sync/constant_feed.h"
 #include "patchmill/sync/fit_stops.h"
@@ -14,16 +14,16 @@
 namespace patchmill {
 namespace {
 
-MotionModel model_of(double velocity, double acceleration, double jerk, double period,
-                     double tolerance, bool spindle_lock) {
-  const MotionModel model{velocity, acceleration, jerk, period, tolerance, spindle_lock};
+machine::MotionModel model_of(double velocity, double acceleration, double jerk, double period,
+                              double tolerance, bool spindle_lock) {
+  const machine::MotionModel model{velocity, acceleration, jerk, period, tolerance, spindle_lock};
   require_valid(model);
   return model;
 }
 
-PacedRule rule_of(bool locked, const PhaseRule& phase, double lift, double safe_height,
-                  double clearance_height, const std::vector<double>& turning) {
-  PacedRule rule;
+sync::PacedRule rule_of(bool locked, const sync::PhaseRule& phase, double lift, double safe_height,
+                        double clearance_height, const std::vector<double>& turning) {
+  sync::PacedRule rule;
   rule.turning = turning;
   rule.pace = locked ? Pace::SpindleLocked : Pace::Feed;
   rule.phase = phase;
@@ -33,35 +33,36 @@ PacedRule rule_of(bool locked, const PhaseRule& phase, double lift, double safe_
   return rule;
 }
 
-py::dict predicted_dict(const ToolPath& path, const MotionModel& model, const Dimples& dimples,
-                        const PhaseRule& rule) {
-  PredictedPhase phase;
+py::dict predicted_dict(const ToolPath& path, const machine::MotionModel& model,
+                        const patch::Dimples& dimples, const sync::PhaseRule& rule) {
+  sync::PredictedPhase phase;
   {
     const py::gil_scoped_release release;
-    phase = predicted_phase(path, model, wanted_phases(dimples, rule, path.spindle),
-                            phase_period(path.tool.flutes, rule.flutes));
+    phase = sync::predicted_phase(path, model, sync::wanted_phases(dimples, rule, path.spindle),
+                                  sync::phase_period(path.tool.flutes, rule.flutes));
   }
   py::dict d;
   d["known"] = phase.known;
   d["reason"] = phase.reason;
-  d["dimple"] = column_of<std::int32_t>(phase.errors, [](const PhaseError& e) { return e.dimple; });
+  d["dimple"] =
+      column_of<std::int32_t>(phase.errors, [](const sync::PhaseError& e) { return e.dimple; });
   d["error"] =
-      column_of<double>(phase.errors, [](const PhaseError& e) { return e.error.radians(); });
-  d["turns"] = column_of<double>(phase.errors, [](const PhaseError& e) { return e.turns; });
+      column_of<double>(phase.errors, [](const sync::PhaseError& e) { return e.error.radians(); });
+  d["turns"] = column_of<double>(phase.errors, [](const sync::PhaseError& e) { return e.turns; });
   d["rms"] = phase.rms.radians();
   d["largest"] = phase.largest.radians();
   return d;
 }
 
-const char* name(Holding holding) {
+const char* name(sync::Holding holding) {
   switch (holding) {
-    case Holding::Holds:
+    case sync::Holding::Holds:
       return "holds";
-    case Holding::HoldsUpTo:
+    case sync::Holding::HoldsUpTo:
       return "holds up to";
-    case Holding::Cannot:
+    case sync::Holding::Cannot:
       return "cannot";
-    case Holding::Unknown:
+    case sync::Holding::Unknown:
       return "unknown";
   }
   return "?";
@@ -80,25 +81,28 @@ auto translated(const Call& call) -> decltype(call()) {
   }
 }
 
-Verdict judge_plan(const std::function<ToolPath(const Spindle&)>& plan, const Dimples& dimples,
-                   const BallEndMill& tool, const Spindle& spindle, const PhaseRule& rule,
-                   const MotionModel& model) {
+sync::Verdict judge_plan(const std::function<ToolPath(const Spindle&)>& plan,
+                         const patch::Dimples& dimples, const BallEndMill& tool,
+                         const Spindle& spindle, const sync::PhaseRule& rule,
+                         const machine::MotionModel& model) {
   if (!plan) throw InputError("Plan", "None", "give a function from Spindle to ToolPath.");
   const auto plan_in_cpp = [&](const Spindle& s) { return translated([&] { return plan(s); }); };
-  return judge(plan_in_cpp, spindle, model, wanted_phases(dimples, rule, spindle),
-               phase_period(tool.flutes, rule.flutes));
+  return sync::judge(plan_in_cpp, spindle, model, sync::wanted_phases(dimples, rule, spindle),
+                     sync::phase_period(tool.flutes, rule.flutes));
 }
 
 void bind_paths(py::module_& m) {
-  py::class_<PacedRule>(m, "PacedRule", "Spindle-locked or feed-paced, with lift and heights [mm].")
+  py::class_<sync::PacedRule>(m, "PacedRule",
+                              "Spindle-locked or feed-paced, with lift and heights [mm].")
       .def(py::init(&rule_of), py::arg("locked"), py::arg("phase"), py::arg("lift"),
            py::arg("safe_height"), py::arg("clearance_height"),
            py::arg("turning") = std::vector<double>());
   m.def(
       "paced_path",
-      [](const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
-         const PacedRule& rule, const MotionModel& model, int decimals) {
-        PacedPath made = paced_path(dimples, tool, spindle, rule, model, Decimals(decimals));
+      [](const patch::Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
+         const sync::PacedRule& rule, const machine::MotionModel& model, int decimals) {
+        sync::PacedPath made =
+            sync::paced_path(dimples, tool, spindle, rule, model, Decimals(decimals));
         return std::make_pair(std::move(made.path), made.clearance);
       },
       py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("rule"), py::arg("model"),
@@ -106,18 +110,18 @@ void bind_paths(py::module_& m) {
       "(path, least height of the ball between rows when a tooth comes by [mm]).");
   m.def(
       "fit_to_stops",
-      [](const ToolPath& path, const MotionModel& model, double feed, const PhaseRule& rule,
-         int decimals) {
-        const double period = phase_period(path.tool.flutes, rule.flutes).turns();
-        return fit_to_stops(path, model, feed, period, Decimals(decimals)).path;
+      [](const ToolPath& path, const machine::MotionModel& model, double feed,
+         const sync::PhaseRule& rule, int decimals) {
+        const double period = sync::phase_period(path.tool.flutes, rule.flutes).turns();
+        return sync::fit_to_stops(path, model, feed, period, Decimals(decimals)).path;
       },
       py::arg("path"), py::arg("model"), py::arg("feed"), py::arg("rule"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
       "A constant-feed path with its legs fitted to the machine's stops; `feed` [mm/s].");
   m.def(
       "freecad_paced_text",
-      [](const ToolPath& path, const MotionModel& model, int decimals) {
-        return PathText(freecad_paced_text(path, model, Decimals(decimals)));
+      [](const ToolPath& path, const machine::MotionModel& model, int decimals) {
+        return PathText(gcode::freecad_paced_text(path, model, Decimals(decimals)));
       },
       py::arg("path"), py::arg("model"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
@@ -125,12 +129,13 @@ void bind_paths(py::module_& m) {
 }
 
 void bind_verdict(py::module_& m) {
-  py::class_<Verdict>(m, "Verdict", "Whether a machine can hold a plan.")
-      .def_property_readonly("holding", [](const Verdict& v) { return name(v.holding); })
-      .def_readonly("speed", &Verdict::speed, "Up to which it holds [revolutions per second].")
-      .def_readonly("sentence", &Verdict::sentence)
-      .def_property_readonly("rms", [](const Verdict& v) { return v.rms.radians(); })
-      .def_property_readonly("largest", [](const Verdict& v) { return v.largest.radians(); });
+  py::class_<sync::Verdict>(m, "Verdict", "Whether a machine can hold a plan.")
+      .def_property_readonly("holding", [](const sync::Verdict& v) { return name(v.holding); })
+      .def_readonly("speed", &sync::Verdict::speed,
+                    "Up to which it holds [revolutions per second].")
+      .def_readonly("sentence", &sync::Verdict::sentence)
+      .def_property_readonly("rms", [](const sync::Verdict& v) { return v.rms.radians(); })
+      .def_property_readonly("largest", [](const sync::Verdict& v) { return v.largest.radians(); });
   m.def("judge_plan", &judge_plan, py::arg("plan"), py::arg("dimples"), py::arg("tool"),
         py::arg("spindle"), py::arg("rule"), py::arg("model"),
         "`plan`: a function from Spindle to ToolPath, tried at several speeds.");
@@ -141,36 +146,38 @@ void bind_verdict(py::module_& m) {
 }  // namespace
 
 void bind_machine_model(py::module_& m) {
-  py::class_<MotionModel>(m, "MotionModel", "What a controller makes of a path. mm, s.")
+  py::class_<machine::MotionModel>(m, "MotionModel", "What a controller makes of a path. mm, s.")
       .def(py::init(&model_of), py::arg("velocity"), py::arg("acceleration"),
-           py::arg("jerk") = kNoJerkLimit, py::arg("period") = 1e-3, py::arg("tolerance") = 0.0,
-           py::arg("spindle_lock") = false)
-      .def_readonly("acceleration", &MotionModel::acceleration)
-      .def_readonly("velocity", &MotionModel::velocity)
-      .def_readonly("spindle_lock", &MotionModel::spindle_lock);
+           py::arg("jerk") = machine::kNoJerkLimit, py::arg("period") = 1e-3,
+           py::arg("tolerance") = 0.0, py::arg("spindle_lock") = false)
+      .def_readonly("acceleration", &machine::MotionModel::acceleration)
+      .def_readonly("velocity", &machine::MotionModel::velocity)
+      .def_readonly("spindle_lock", &machine::MotionModel::spindle_lock);
   bind_paths(m);
   bind_verdict(m);
   m.def(
       "phase_period",
-      [](int flutes, const PhaseRule& rule) { return phase_period(flutes, rule.flutes).radians(); },
+      [](int flutes, const sync::PhaseRule& rule) {
+        return sync::phase_period(flutes, rule.flutes).radians();
+      },
       py::arg("flutes"), py::arg("rule"));
   m.def(
       "calibration_side",
       [](double period, double step) {
-        return calibration_side(Angle::radians(period), Angle::radians(step));
+        return sync::calibration_side(Angle::radians(period), Angle::radians(step));
       },
       py::arg("period"), py::arg("step"), "Dimples along the side of the calibration patch.");
   m.def(
       "start_phase",
       [](std::int64_t best, double step, double period) {
-        return start_phase(best, Angle::radians(step), Angle::radians(period)).radians();
+        return sync::start_phase(best, Angle::radians(step), Angle::radians(period)).radians();
       },
       py::arg("best_dimple"), py::arg("step"), py::arg("period"));
   m.def(
       "with_start_phase",
       [](const ToolPath& path, double phase, double period, int decimals) {
-        return with_start_phase(path, Angle::radians(phase), Angle::radians(period),
-                                Decimals(decimals));
+        return sync::with_start_phase(path, Angle::radians(phase), Angle::radians(period),
+                                      Decimals(decimals));
       },
       py::arg("path"), py::arg("start_phase"), py::arg("period"), py::arg("decimals"));
 }

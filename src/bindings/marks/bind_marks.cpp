@@ -27,76 +27,79 @@ py::array_t<double> pairs_of(const Items& items, Get get) {
   return array;
 }
 
-ToolMotion motion_of_path(const ToolPath& path, const Dimples& dimples, const PhaseRule& rule,
-                          std::optional<double> start_phase, const std::optional<Rows3>& housing) {
-  MotionOptions options;
+marks::ToolMotion motion_of_path(const ToolPath& path, const patch::Dimples& dimples,
+                                 const sync::PhaseRule& rule, std::optional<double> start_phase,
+                                 const std::optional<Rows3>& housing) {
+  marks::MotionOptions options;
   if (housing)
     for (Eigen::Index i = 0; i < housing->rows(); ++i) options.housing_x.push_back(housing->row(i));
   if (start_phase)
     options.start_phase = Angle::radians(*start_phase);
   else
-    options.wanted_phase = wanted_phases(dimples, rule, path.spindle);
-  return motion_of(path, options);
+    options.wanted_phase = sync::wanted_phases(dimples, rule, path.spindle);
+  return marks::motion_of(path, options);
 }
 
-ToolMotion motion_of_samples(const Eigen::VectorXd& time, const Rows3& tips,
-                             const Eigen::VectorXd& angle, const Spindle& spindle, double radius,
-                             const std::optional<Rows3>& axes) {
+marks::ToolMotion motion_of_samples(const Eigen::VectorXd& time, const Rows3& tips,
+                                    const Eigen::VectorXd& angle, const Spindle& spindle,
+                                    double radius, const std::optional<Rows3>& axes) {
   const auto n = time.size();
   if (tips.rows() != n || angle.size() != n || (axes && axes->rows() != n))
     throw InputError("Samples", "arrays of different length", "give one row for each moment.");
-  std::vector<MotionSample> samples(static_cast<std::size_t>(n));
+  std::vector<marks::MotionSample> samples(static_cast<std::size_t>(n));
   for (Eigen::Index i = 0; i < n; ++i) {
-    MotionSample& sample = samples[static_cast<std::size_t>(i)];
+    marks::MotionSample& sample = samples[static_cast<std::size_t>(i)];
     sample.time = time[i];
     sample.tip = tips.row(i);
     sample.spindle_angle = angle[i];
     if (axes) sample.axis = unit_along("Axis", axes->row(i));
   }
-  return motion_of(samples, spindle.sense, radius);
+  return marks::motion_of(samples, spindle.sense, radius);
 }
 
 /// What the heights are measured from: faces, the planes of patches, or the texture plane (None).
-BaseMaker base_maker(const py::object& base, const TexturePlane& plane, double reach) {
+marks::BaseMaker base_maker(const py::object& base, const patch::TexturePlane& plane,
+                            double reach) {
   if (base.is_none()) return {};
-  if (!py::isinstance<Dimples>(base) && !py::isinstance<FaceSampler>(base))
+  if (!py::isinstance<patch::Dimples>(base) && !py::isinstance<FaceSampler>(base))
     throw InputError("Base", py::str(base), "give a FaceSampler, Dimples or None.");
-  if (py::isinstance<Dimples>(base))
-    return base_of_patches(base.cast<const Dimples&>(), plane, reach);
+  if (py::isinstance<patch::Dimples>(base))
+    return marks::base_of_patches(base.cast<const patch::Dimples&>(), plane, reach);
   const FaceSampler* sampler = base.cast<const FaceSampler*>();  // outlives the call
-  return base_on([sampler](const std::vector<Vec2>& places) { return sampler->sample(places); });
+  return marks::base_on(
+      [sampler](const std::vector<Vec2>& places) { return sampler->sample(places); });
 }
 
-TextureMarks simulate(const ToolMotion& motion, const BallEndMill& tool, const TexturePlane& plane,
-                      const Vec2& low, const Vec2& high, double step, double stock,
-                      const py::object& base, double reach, double helix,
-                      const std::vector<double>& runout, double least_depth, double halo,
-                      double memory_limit, const py::object& progress) {
+marks::TextureMarks simulate(const marks::ToolMotion& motion, const BallEndMill& tool,
+                             const patch::TexturePlane& plane, const Vec2& low, const Vec2& high,
+                             double step, double stock, const py::object& base, double reach,
+                             double helix, const std::vector<double>& runout, double least_depth,
+                             double halo, double memory_limit, const py::object& progress) {
   const Progress report = progress_of(progress);
-  const BaseMaker maker = base_maker(base, plane, reach);
-  TextureMarkOptions options;
+  const marks::BaseMaker maker = base_maker(base, plane, reach);
+  marks::TextureMarkOptions options;
   options.marks = {stock, memory_limit};
   options.find.least_depth = least_depth;
   options.halo = halo;
   const py::gil_scoped_release release;
-  return simulate_texture(motion, {tool, Angle::radians(helix), runout},
-                          flat_grid(plane, low, high, step), maker, options, report);
+  return marks::simulate_texture(motion, {tool, Angle::radians(helix), runout},
+                                 marks::flat_grid(plane, low, high, step), maker, options, report);
 }
 
 /// Every `stride`-th cell of a block of the grid as points on the relief.
-py::tuple surface(const TextureMarks& marks, const py::object& base, double reach, int row,
+py::tuple surface(const marks::TextureMarks& marks, const py::object& base, double reach, int row,
                   int rows, int column, int columns, int stride) {
-  const SurfaceGrid& grid = marks.grid;
+  const marks::SurfaceGrid& grid = marks.grid;
   if (stride < 1 || row < 0 || column < 0 || rows < 1 || columns < 1 || row > grid.rows - rows ||
       column > grid.columns - columns)
     throw InputError("Block", "outside the relief", "give rows and columns of the relief.");
-  SurfaceGrid block;
+  marks::SurfaceGrid block;
   block.plane = grid.plane;
   block.first = grid.plane_point(column, row);
   block.step = grid.step * stride;
   block.columns = (columns - 1) / stride + 1;
   block.rows = (rows - 1) / stride + 1;
-  const BaseMaker maker = base_maker(base, grid.plane, reach);
+  const marks::BaseMaker maker = base_maker(base, grid.plane, reach);
   py::array_t<double> points({block.rows, block.columns, 3});
   py::array_t<float> heights({block.rows, block.columns});
   auto p = points.mutable_unchecked<3>();
@@ -108,35 +111,37 @@ py::tuple surface(const TextureMarks& marks, const py::object& base, double reac
       h(j, i) =
           marks
               .height[static_cast<std::size_t>(grid.number(column + i * stride, row + j * stride))];
-      const Vec3 at = base_point(block, i, j) + h(j, i) * base_normal(block, i, j);
+      const Vec3 at = marks::base_point(block, i, j) + h(j, i) * marks::base_normal(block, i, j);
       for (int k = 0; k < 3; ++k) p(j, i, k) = at[k];
     }
   const py::gil_scoped_acquire acquire;
   return py::make_tuple(points, heights);
 }
 
-py::dict compare_dict(const TextureMarks& marks, const Dimples& dimples, const Vec2& low,
-                      const Vec2& high, double spacing) {
-  WindowComparison window;
+py::dict compare_dict(const marks::TextureMarks& marks, const patch::Dimples& dimples,
+                      const Vec2& low, const Vec2& high, double spacing) {
+  marks::WindowComparison window;
   {
     const py::gil_scoped_release release;
-    window = compare_window(marks.dimples, planned_places(dimples, marks.grid.plane), low, high,
-                            spacing);
+    window = marks::compare_window(marks.dimples, marks::planned_places(dimples, marks.grid.plane),
+                                   low, high, spacing);
   }
-  const PlanComparison& c = window.comparison;
+  const marks::PlanComparison& c = window.comparison;
   py::dict d;
-  d["dimple"] = column_of<std::int32_t>(c.matches, [](const DimpleMatch& m) { return m.dimple; });
-  d["found"] = column_of<std::int32_t>(c.matches, [](const DimpleMatch& m) { return m.found; });
-  d["moved"] = pairs_of(c.matches, [](const DimpleMatch& m) { return m.moved; });
+  d["dimple"] =
+      column_of<std::int32_t>(c.matches, [](const marks::DimpleMatch& m) { return m.dimple; });
+  d["found"] =
+      column_of<std::int32_t>(c.matches, [](const marks::DimpleMatch& m) { return m.found; });
+  d["moved"] = pairs_of(c.matches, [](const marks::DimpleMatch& m) { return m.moved; });
   d["extra"] = column_of<std::int32_t>(c.extra, [](std::int32_t k) { return k; });
   const auto& f = window.found;
-  d["places"] = pairs_of(f, [](const DimpleMark& m) { return m.place; });
-  d["points"] = rows_of(f, [](const DimpleMark& m) { return m.point; });
-  d["bottoms"] = column_of<double>(f, [](const DimpleMark& m) { return m.bottom; });
-  d["depths"] = column_of<double>(f, [](const DimpleMark& m) { return m.depth; });
-  d["diameters"] = column_of<double>(f, [](const DimpleMark& m) { return m.diameter; });
-  d["at_edge"] = column_of<bool>(f, [](const DimpleMark& m) { return m.at_edge; });
-  d["mean_spacing"] = mean_spacing(f);
+  d["places"] = pairs_of(f, [](const marks::DimpleMark& m) { return m.place; });
+  d["points"] = rows_of(f, [](const marks::DimpleMark& m) { return m.point; });
+  d["bottoms"] = column_of<double>(f, [](const marks::DimpleMark& m) { return m.bottom; });
+  d["depths"] = column_of<double>(f, [](const marks::DimpleMark& m) { return m.depth; });
+  d["diameters"] = column_of<double>(f, [](const marks::DimpleMark& m) { return m.diameter; });
+  d["at_edge"] = column_of<bool>(f, [](const marks::DimpleMark& m) { return m.at_edge; });
+  d["mean_spacing"] = marks::mean_spacing(f);
   d["missing"] = c.missing;
   d["mean_move"] = c.mean_move;
   d["rms_move"] = c.rms_move;
@@ -151,7 +156,8 @@ py::dict alignment_dict(const Rows2& places, const Vec2& feed, double feed_per_t
                         double cross_feed) {
   std::vector<Vec2> list;
   for (Eigen::Index i = 0; i < places.rows(); ++i) list.emplace_back(places.row(i));
-  const AlignmentResult result = classify_alignment(list, {feed, feed_per_tooth, cross_feed});
+  const marks::AlignmentResult result =
+      marks::classify_alignment(list, {feed, feed_per_tooth, cross_feed});
   py::dict d;
   d["state"] = name(result.state);
   d["shift"] = result.shift;
@@ -162,10 +168,10 @@ py::dict alignment_dict(const Rows2& places, const Vec2& feed, double feed_per_t
 }
 
 void bind_motion(py::module_& m) {
-  py::class_<ToolMotion>(m, "ToolMotion", "Where the ball is at every spindle angle.")
-      .def_property_readonly("runs", [](const ToolMotion& v) { return v.runs.size(); })
-      .def_readonly("untimed_moves", &ToolMotion::untimed_moves)
-      .def_readonly("standing_moves", &ToolMotion::standing_moves);
+  py::class_<marks::ToolMotion>(m, "ToolMotion", "Where the ball is at every spindle angle.")
+      .def_property_readonly("runs", [](const marks::ToolMotion& v) { return v.runs.size(); })
+      .def_readonly("untimed_moves", &marks::ToolMotion::untimed_moves)
+      .def_readonly("standing_moves", &marks::ToolMotion::standing_moves);
   m.def(
       "motion_of_path", &motion_of_path, py::arg("path"), py::arg("dimples"), py::arg("rule"),
       py::arg("start_phase") = py::none(), py::arg("housing") = py::none(),
@@ -173,11 +179,12 @@ void bind_motion(py::module_& m) {
       "every run. `housing`: see housing_x; None for an upright tool.");
   m.def(
       "housing_x",
-      [](const Kinematics& machine, const Rows2& joints) {
+      [](const machine::Kinematics& machine, const Rows2& joints) {
         if (!joints.allFinite()) throw InputError("Joints", "not finite", "give finite angles.");
         std::vector<Vec3> x;
         for (Eigen::Index i = 0; i < joints.rows(); ++i)
-          x.push_back(housing_to_work(machine, {joints(i, 0), joints(i, 1)}) * Vec3::UnitX());
+          x.push_back(machine::housing_to_work(machine, {joints(i, 0), joints(i, 1)}) *
+                      Vec3::UnitX());
         return rows_of(x, [](const Vec3& v) { return v; });
       },
       py::arg("machine"), py::arg("joints"),
@@ -188,17 +195,17 @@ void bind_motion(py::module_& m) {
         "The motion of a recording: [s], (n, 3) [mm], azimuth of flute 0 [rad] unwrapped.");
   m.def(
       "path_on_machine",
-      [](const ToolPath& path, const MotionModel& model) {
-        MachinePath made = path_on_machine(path, model);
+      [](const ToolPath& path, const machine::MotionModel& model) {
+        marks::MachinePath made = marks::path_on_machine(path, model);
         return py::make_tuple(made.known, made.reason, std::move(made.path));
       },
       py::arg("path"), py::arg("model"),
       "(known, reason why not, the path with the turns that the motion model predicts).");
   m.def(
       "best_start_phase",
-      [](const ToolPath& path, const Dimples& dimples, const PhaseRule& rule) {
-        return best_start_phase(path, wanted_phases(dimples, rule, path.spindle),
-                                phase_period(path.tool.flutes, rule.flutes))
+      [](const ToolPath& path, const patch::Dimples& dimples, const sync::PhaseRule& rule) {
+        return marks::best_start_phase(path, sync::wanted_phases(dimples, rule, path.spindle),
+                                       sync::phase_period(path.tool.flutes, rule.flutes))
             .radians();
       },
       py::arg("path"), py::arg("dimples"), py::arg("rule"),
@@ -209,25 +216,26 @@ void bind_motion(py::module_& m) {
 
 void bind_marks(py::module_& m) {
   bind_motion(m);
-  py::class_<TextureMarks>(m, "TextureMarks",
-                           "The relief of a texture and the dimples found in it.")
+  py::class_<marks::TextureMarks>(m, "TextureMarks",
+                                  "The relief of a texture and the dimples found in it.")
       .def_property_readonly(
           "heights",
           [](py::object self) {
-            const auto& marks = self.cast<const TextureMarks&>();
+            const auto& marks = self.cast<const marks::TextureMarks&>();
             return py::array_t<float>({marks.grid.rows, marks.grid.columns}, marks.height.data(),
                                       self);
           },
           "Deviation from the base along its normal [mm], (rows, columns); NaN: no base.")
       .def_property_readonly(
-          "first", [](const TextureMarks& v) { return v.grid.first; },
+          "first", [](const marks::TextureMarks& v) { return v.grid.first; },
           "Plane coordinates of cell [0, 0] [mm].")
-      .def_property_readonly("step", [](const TextureMarks& v) { return v.grid.step; })
-      .def_readonly("stock", &TextureMarks::stock)
-      .def_readonly("complete", &TextureMarks::complete)
-      .def_property_readonly("passes", [](const TextureMarks& v) { return v.statistics.passes; })
+      .def_property_readonly("step", [](const marks::TextureMarks& v) { return v.grid.step; })
+      .def_readonly("stock", &marks::TextureMarks::stock)
+      .def_readonly("complete", &marks::TextureMarks::complete)
+      .def_property_readonly("passes",
+                             [](const marks::TextureMarks& v) { return v.statistics.passes; })
       .def_property_readonly("evaluations",
-                             [](const TextureMarks& v) { return v.statistics.evaluations; })
+                             [](const marks::TextureMarks& v) { return v.statistics.evaluations; })
       .def("surface", &surface, py::arg("base"), py::arg("reach"), py::arg("row"), py::arg("rows"),
            py::arg("column"), py::arg("columns"), py::arg("stride"),
            "(points (r, c, 3) [mm], heights (r, c)) of a block, every `stride`-th cell.");

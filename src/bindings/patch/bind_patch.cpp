@@ -9,36 +9,38 @@
 namespace patchmill {
 namespace {
 
-PatchPattern pattern_of(const std::string& shape, double spacing, int size,
-                        const std::string& order, const std::string& start) {
-  PatchPattern pattern;
+patch::PatchPattern pattern_of(const std::string& shape, double spacing, int size,
+                               const std::string& order, const std::string& start) {
+  patch::PatchPattern pattern;
   pattern.shape = shape_of(shape);
-  pattern.order = choose<HelixOrder>(
-      "HelixOrder", order, {{"Inward", HelixOrder::Inward}, {"Outward", HelixOrder::Outward}});
-  pattern.start = choose<HelixStart>(
-      "HelixStart", start,
-      {{"Same corner", HelixStart::SameCorner}, {"Nearest corner", HelixStart::NearestCorner}});
+  pattern.order = choose<patch::HelixOrder>(
+      "HelixOrder", order,
+      {{"Inward", patch::HelixOrder::Inward}, {"Outward", patch::HelixOrder::Outward}});
+  pattern.start = choose<patch::HelixStart>("HelixStart", start,
+                                            {{"Same corner", patch::HelixStart::SameCorner},
+                                             {"Nearest corner", patch::HelixStart::NearestCorner}});
   pattern.spacing = spacing;
   pattern.size = size;
-  require_valid(pattern);
+  patch::require_valid(pattern);
   return pattern;
 }
 
-PatchSurface surface_of(const std::string& kind, const std::string& fit, double height_factor,
-                        double apex_lift) {
-  PatchSurface surface;
-  surface.kind = choose<SurfaceKind>("SurfaceKind", kind,
-                                     {{"Planar", SurfaceKind::Planar},
-                                      {"Pyramid", SurfaceKind::Pyramid},
-                                      {"Curved", SurfaceKind::Curved}});
-  surface.fit = choose<PlaneFit>("PlaneFit", fit,
-                                 {{"Best fit", PlaneFit::BestFit}, {"Corners", PlaneFit::Corners}});
+patch::PatchSurface surface_of(const std::string& kind, const std::string& fit,
+                               double height_factor, double apex_lift) {
+  patch::PatchSurface surface;
+  surface.kind = choose<patch::SurfaceKind>("SurfaceKind", kind,
+                                            {{"Planar", patch::SurfaceKind::Planar},
+                                             {"Pyramid", patch::SurfaceKind::Pyramid},
+                                             {"Curved", patch::SurfaceKind::Curved}});
+  surface.fit = choose<patch::PlaneFit>(
+      "PlaneFit", fit,
+      {{"Best fit", patch::PlaneFit::BestFit}, {"Corners", patch::PlaneFit::Corners}});
   surface.height_factor = height_factor;
   surface.apex_lift = apex_lift;
   return surface;
 }
 
-py::array_t<double> polygon_array(const Polygon& polygon) {
+py::array_t<double> polygon_array(const patch::Polygon& polygon) {
   py::array_t<double> array({static_cast<py::ssize_t>(polygon.size()), py::ssize_t{2}});
   auto out = array.mutable_unchecked<2>();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -48,139 +50,147 @@ py::array_t<double> polygon_array(const Polygon& polygon) {
   return array;
 }
 
-py::list outline_list(const PatchDivision& division) {
+py::list outline_list(const patch::PatchDivision& division) {
   py::list list;
-  for (const Polygon& outline : outlines(division)) list.append(polygon_array(outline));
+  for (const patch::Polygon& outline : patch::outlines(division))
+    list.append(polygon_array(outline));
   return list;
 }
 
-py::list lattice_outline_list(const PatchDivision& division) {
+py::list lattice_outline_list(const patch::PatchDivision& division) {
   py::list list;
-  for (const PatchCell& cell : division.cells)
-    list.append(polygon_array(outline_in_lattice(division.pattern, cell)));
+  for (const patch::PatchCell& cell : division.cells)
+    list.append(polygon_array(patch::outline_in_lattice(division.pattern, cell)));
   return list;
 }
 
-py::array_t<double> places_of(const PatchDivision& division, const Dimples& dimples) {
-  Polygon places;
+py::array_t<double> places_of(const patch::PatchDivision& division, const patch::Dimples& dimples) {
+  patch::Polygon places;
   places.reserve(dimples.size());
-  for (const Dimple& dimple : dimples) places.push_back(place(division, dimple.lattice));
+  for (const patch::Dimple& dimple : dimples)
+    places.push_back(patch::place(division, dimple.lattice));
   return polygon_array(places);
 }
 
-py::dict counts_dict(const Dimples& dimples) {
-  const auto counts = count_states(dimples);
+py::dict counts_dict(const patch::Dimples& dimples) {
+  const auto counts = patch::count_states(dimples);
   py::dict d;
-  for (int s = 0; s < kDimpleStates; ++s)
-    d[name(static_cast<DimpleState>(s))] = counts[static_cast<std::size_t>(s)];
+  for (int s = 0; s < patch::kDimpleStates; ++s)
+    d[patch::name(static_cast<patch::DimpleState>(s))] = counts[static_cast<std::size_t>(s)];
   return d;
 }
 
 void bind_dimples(py::module_& m) {
-  py::class_<Dimples>(m, "Dimples", "All lattice points tried, in milling order.")
-      .def("__len__", [](const Dimples& d) { return d.size(); })
+  py::class_<patch::Dimples>(m, "Dimples", "All lattice points tried, in milling order.")
+      .def("__len__", [](const patch::Dimples& d) { return d.size(); })
       .def_property_readonly(
           "positions",
-          [](const Dimples& d) {
-            return rows_of(d, [](const Dimple& v) { return v.surface.position; });
+          [](const patch::Dimples& d) {
+            return rows_of(d, [](const patch::Dimple& v) { return v.surface.position; });
           },
           "Places on the face [mm], (n, 3).")
       .def_property_readonly(
           "normals",
-          [](const Dimples& d) {
-            return rows_of(d, [](const Dimple& v) { return v.surface.normal; });
+          [](const patch::Dimples& d) {
+            return rows_of(d, [](const patch::Dimple& v) { return v.surface.normal; });
           },
           "Unit normals out of the material, (n, 3).")
       .def_property_readonly(
           "states",
-          [](const Dimples& d) {
+          [](const patch::Dimples& d) {
             return column_of<std::uint8_t>(
-                d, [](const Dimple& v) { return static_cast<std::uint8_t>(v.state); });
+                d, [](const patch::Dimple& v) { return static_cast<std::uint8_t>(v.state); });
           },
           "0 cut; other numbers index state_names().")
       .def_property_readonly("patches",
-                             [](const Dimples& d) {
+                             [](const patch::Dimples& d) {
                                return column_of<std::int32_t>(
-                                   d, [](const Dimple& v) { return v.patch; });
+                                   d, [](const patch::Dimple& v) { return v.patch; });
                              })
       .def_property_readonly(
           "lattice",
-          [](const Dimples& d) {
-            return rows_of(d, [](const Dimple& v) { return Vec3(v.lattice[0], v.lattice[1], 0); });
+          [](const patch::Dimples& d) {
+            return rows_of(
+                d, [](const patch::Dimple& v) { return Vec3(v.lattice[0], v.lattice[1], 0); });
           },
           "Integer lattice coordinates in the first two columns, (n, 3).")
       .def_property_readonly(
           "depths",
-          [](const Dimples& d) {
-            return column_of<double>(d, [](const Dimple& v) { return v.depth; });
+          [](const patch::Dimples& d) {
+            return column_of<double>(d, [](const patch::Dimple& v) { return v.depth; });
           },
           "How far below the face the bottoms lie [mm].")
       .def("counts", &counts_dict, "Number of dimples of each state, by name.");
   m.def("state_names", [] {
     std::vector<std::string> names;
-    for (int s = 0; s < kDimpleStates; ++s) names.emplace_back(name(static_cast<DimpleState>(s)));
+    for (int s = 0; s < patch::kDimpleStates; ++s)
+      names.emplace_back(patch::name(static_cast<patch::DimpleState>(s)));
     return names;
   });
 }
 
 void bind_division(py::module_& m) {
-  py::class_<PatchPattern>(m, "PatchPattern", "Shape, spacing [mm], size and helix of patches.")
+  py::class_<patch::PatchPattern>(m, "PatchPattern",
+                                  "Shape, spacing [mm], size and helix of patches.")
       .def(py::init(&pattern_of), py::arg("shape"), py::arg("spacing"), py::arg("size"),
            py::arg("order") = "Inward", py::arg("start") = "Same corner")
-      .def_readonly("spacing", &PatchPattern::spacing)
-      .def_readonly("size", &PatchPattern::size);
-  py::class_<PatchSurface>(m, "PatchSurface", "Planar, pyramid or curved patches.")
+      .def_readonly("spacing", &patch::PatchPattern::spacing)
+      .def_readonly("size", &patch::PatchPattern::size);
+  py::class_<patch::PatchSurface>(m, "PatchSurface", "Planar, pyramid or curved patches.")
       .def(py::init(&surface_of), py::arg("kind"), py::arg("fit") = "Best fit",
            py::arg("height_factor") = 1.0, py::arg("apex_lift") = 0.0)
       .def_property_readonly(
-          "planar", [](const PatchSurface& s) { return s.kind != SurfaceKind::Curved; },
+          "planar",
+          [](const patch::PatchSurface& s) { return s.kind != patch::SurfaceKind::Curved; },
           "Whether patches are made of planes.")
-      .def("__eq__", [](const PatchSurface& a, const PatchSurface& b) {
+      .def("__eq__", [](const patch::PatchSurface& a, const patch::PatchSurface& b) {
         return a.kind == b.kind && a.fit == b.fit && a.height_factor == b.height_factor &&
                a.apex_lift == b.apex_lift;
       });
-  py::class_<PatchDivision>(m, "PatchDivision", "Patches in milling order.")
-      .def("__len__", [](const PatchDivision& d) { return d.cells.size(); })
-      .def_readonly("pattern", &PatchDivision::pattern)
+  py::class_<patch::PatchDivision>(m, "PatchDivision", "Patches in milling order.")
+      .def("__len__", [](const patch::PatchDivision& d) { return d.cells.size(); })
+      .def_readonly("pattern", &patch::PatchDivision::pattern)
       .def("outlines", &outline_list, "Corners of each patch in the texture plane [mm], (k, 2).")
-      .def_readonly("anchor", &PatchDivision::anchor, "Place of lattice point (0, 0) [mm].")
+      .def_readonly("anchor", &patch::PatchDivision::anchor, "Place of lattice point (0, 0) [mm].")
       .def("lattice_outlines", &lattice_outline_list,
            "Corners of each patch in lattice coordinates, (k, 2).")
       .def("places", &places_of, py::arg("dimples"),
            "Texture-plane coordinates [mm] of each lattice point, (n, 2).");
   m.def(
       "cover",
-      [](const PatchPattern& pattern, const Vec2& low, const Vec2& high) {
-        return cover(pattern, Box2(low, high));
+      [](const patch::PatchPattern& pattern, const Vec2& low, const Vec2& high) {
+        return patch::cover(pattern, patch::Box2(low, high));
       },
       py::arg("pattern"), py::arg("low"), py::arg("high"),
       "The patches that overlap the rectangle from `low` to `high` [mm].");
   m.def(
       "patch_block",
-      [](const PatchPattern& pattern, int nx, int ny) { return patch_block(pattern, nx, ny); },
+      [](const patch::PatchPattern& pattern, int nx, int ny) {
+        return patch::patch_block(pattern, nx, ny);
+      },
       py::arg("pattern"), py::arg("patches_x"), py::arg("patches_y"),
       "A block of patches centred on the texture plane's origin.");
-  m.def("drop_slivers", &drop_slivers, py::arg("dimples"), py::arg("least"),
+  m.def("drop_slivers", &patch::drop_slivers, py::arg("dimples"), py::arg("least"),
         "Leaves out the dimples of patches that have fewer than `least`.");
 }
 
 }  // namespace
 
-PatchShape shape_of(const std::string& name) {
-  return choose<PatchShape>("PatchShape", name,
-                            {{"Square", PatchShape::Square},
-                             {"Hexagon", PatchShape::Hexagon},
-                             {"Triangle", PatchShape::Triangle}});
+patch::PatchShape shape_of(const std::string& name) {
+  return choose<patch::PatchShape>("PatchShape", name,
+                                   {{"Square", patch::PatchShape::Square},
+                                    {"Hexagon", patch::PatchShape::Hexagon},
+                                    {"Triangle", patch::PatchShape::Triangle}});
 }
 
 void bind_patch(py::module_& m) {
-  py::class_<TexturePlane>(m, "TexturePlane", "Origin, axes and projection direction.")
-      .def_readonly("origin", &TexturePlane::origin)
-      .def_readonly("x_axis", &TexturePlane::x_axis)
-      .def_readonly("y_axis", &TexturePlane::y_axis)
-      .def_readonly("direction", &TexturePlane::direction);
-  m.def("texture_plane", &texture_plane, py::arg("origin"), py::arg("direction"), py::arg("x_hint"),
-        py::arg("rotation") = 0.0,
+  py::class_<patch::TexturePlane>(m, "TexturePlane", "Origin, axes and projection direction.")
+      .def_readonly("origin", &patch::TexturePlane::origin)
+      .def_readonly("x_axis", &patch::TexturePlane::x_axis)
+      .def_readonly("y_axis", &patch::TexturePlane::y_axis)
+      .def_readonly("direction", &patch::TexturePlane::direction);
+  m.def("texture_plane", &patch::texture_plane, py::arg("origin"), py::arg("direction"),
+        py::arg("x_hint"), py::arg("rotation") = 0.0,
         "A plane at right angles to `direction`, turned by `rotation` [rad].");
   bind_division(m);
   bind_dimples(m);

@@ -15,16 +15,16 @@ using Pixels = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
 // std::function crosses to Python as a class of its own, so that it is never called through Python
 struct MaskFunction {
-  Mask value;
+  patch::Mask value;
 };
 
-Polygon polygon_of(const Points& points) {
-  Polygon polygon;
+patch::Polygon polygon_of(const Points& points) {
+  patch::Polygon polygon;
   for (Eigen::Index i = 0; i < points.rows(); ++i) polygon.emplace_back(points.row(i));
   return polygon;
 }
 
-SurfaceSampler sampler_of(const FaceSampler& sampler) {
+patch::SurfaceSampler sampler_of(const FaceSampler& sampler) {
   return [&sampler](const std::vector<Vec2>& places) { return sampler.sample(places); };
 }
 
@@ -32,11 +32,11 @@ py::dict size_dict(const std::string& kind, const std::string& shape, double bal
                    std::optional<double> spacing, std::optional<double> depth,
                    std::optional<double> diameter, std::optional<double> area_share,
                    std::optional<double> ridge_height, std::optional<double> tilt) {
-  TextureWish wish;
-  wish.kind = choose<TextureKind>(
-      "TextureKind", kind,
-      {{"Overlapping", TextureKind::Overlapping}, {"Isolated", TextureKind::Isolated}});
-  wish.lattice = lattice_of(shape_of(shape));
+  patch::TextureWish wish;
+  wish.kind = choose<patch::TextureKind>("TextureKind", kind,
+                                         {{"Overlapping", patch::TextureKind::Overlapping},
+                                          {"Isolated", patch::TextureKind::Isolated}});
+  wish.lattice = patch::lattice_of(shape_of(shape));
   wish.ball_radius = ball_radius;
   wish.spacing = spacing;
   wish.depth = depth;
@@ -44,7 +44,7 @@ py::dict size_dict(const std::string& kind, const std::string& shape, double bal
   wish.area_share = area_share;
   wish.ridge_height = ridge_height;
   if (tilt) wish.tilt = Angle::radians(*tilt);
-  const TextureSize size = complete(wish);
+  const patch::TextureSize size = patch::complete(wish);
   py::dict d;
   d["spacing"] = size.spacing;
   d["depth"] = size.depth;
@@ -58,27 +58,28 @@ py::dict size_dict(const std::string& kind, const std::string& shape, double bal
 
 MaskFunction image_of(const Pixels& pixels, const Vec2& low, const Vec2& high, double outside) {
   if (pixels.ndim() != 2) throw InputError("MaskImage", "not grey", "give rows of grey values.");
-  Image image;
+  patch::Image image;
   image.rows = static_cast<int>(pixels.shape(0));
   image.columns = static_cast<int>(pixels.shape(1));
   image.values.assign(pixels.data(), pixels.data() + pixels.size());
-  return {image_mask(std::move(image), Box2(low, high), outside)};
+  return {patch::image_mask(std::move(image), patch::Box2(low, high), outside)};
 }
 
 MaskFunction curves_of(const std::vector<Points>& loops) {
-  std::vector<Polygon> polygons;
+  std::vector<patch::Polygon> polygons;
   for (const Points& loop : loops) polygons.push_back(polygon_of(loop));
-  return {curve_mask(std::move(polygons))};
+  return {patch::curve_mask(std::move(polygons))};
 }
 
-LatticePlace place_function(const PatchDivision& division, const SurfaceLattice* lattice) {
+patch::LatticePlace place_function(const patch::PatchDivision& division,
+                                   const patch::SurfaceLattice* lattice) {
   if (lattice) return lattice->place_of;
-  return [&division](const Vec2& p) { return place(division, p); };
+  return [&division](const Vec2& p) { return patch::place(division, p); };
 }
 
 void bind_masks(py::module_& m) {
   py::class_<MaskFunction>(m, "Mask", "Values from 0 to 1 over the texture plane.")
-      .def("inverted", [](const MaskFunction& f) { return MaskFunction{inverted(f.value)}; })
+      .def("inverted", [](const MaskFunction& f) { return MaskFunction{patch::inverted(f.value)}; })
       .def(
           "at",
           [](const MaskFunction& f, const Points& places) {
@@ -93,51 +94,54 @@ void bind_masks(py::module_& m) {
   const auto released = py::call_guard<py::gil_scoped_release>();
   m.def(
       "keep_where",
-      [](Dimples& dimples, const PatchDivision& division, const SurfaceLattice* lattice,
-         const MaskFunction& mask, double threshold) {
-        keep_where(dimples, place_function(division, lattice), mask.value, threshold);
+      [](patch::Dimples& dimples, const patch::PatchDivision& division,
+         const patch::SurfaceLattice* lattice, const MaskFunction& mask, double threshold) {
+        patch::keep_where(dimples, place_function(division, lattice), mask.value, threshold);
       },
       py::arg("dimples"), py::arg("division"), py::arg("lattice"), py::arg("mask"),
       py::arg("threshold") = 0.5, released, "Leaves out dimples where the mask is below it.");
   m.def(
       "thin_out",
-      [](Dimples& dimples, const PatchDivision& division, const SurfaceLattice* lattice,
-         const MaskFunction& mask) {
-        thin_out(dimples, place_function(division, lattice), mask.value);
+      [](patch::Dimples& dimples, const patch::PatchDivision& division,
+         const patch::SurfaceLattice* lattice, const MaskFunction& mask) {
+        patch::thin_out(dimples, place_function(division, lattice), mask.value);
       },
       py::arg("dimples"), py::arg("division"), py::arg("lattice"), py::arg("mask"), released,
       "Leaves the share of dimples that the mask says.");
   m.def(
       "set_depth",
-      [](Dimples& dimples, const PatchDivision& division, const SurfaceLattice* lattice,
-         const MaskFunction& mask, double at_0, double at_1, double least) {
-        set_depth(dimples, place_function(division, lattice), mask.value, at_0, at_1, least);
+      [](patch::Dimples& dimples, const patch::PatchDivision& division,
+         const patch::SurfaceLattice* lattice, const MaskFunction& mask, double at_0, double at_1,
+         double least) {
+        patch::set_depth(dimples, place_function(division, lattice), mask.value, at_0, at_1, least);
       },
       py::arg("dimples"), py::arg("division"), py::arg("lattice"), py::arg("mask"),
       py::arg("depth_at_0"), py::arg("depth_at_1"), py::arg("least") = 0.0, released,
       "Depth linear in the mask [mm]; dimples shallower than `least` are left out.");
 }
 
-std::optional<SurfaceLattice> lay_lattice(const PatchPattern& pattern, const FaceSampler& sampler,
-                                          const TexturePlane& plane, const Vec2& start,
-                                          const Vec2& low, const Vec2& high,
-                                          const py::object& progress) {
+std::optional<patch::SurfaceLattice> lay_lattice(const patch::PatchPattern& pattern,
+                                                 const FaceSampler& sampler,
+                                                 const patch::TexturePlane& plane,
+                                                 const Vec2& start, const Vec2& low,
+                                                 const Vec2& high, const py::object& progress) {
   const Progress report = progress_of(progress);
   const py::gil_scoped_release release;
-  LatticeRequest request;
-  request.kind = lattice_of(pattern.shape);
+  patch::LatticeRequest request;
+  request.kind = patch::lattice_of(pattern.shape);
   request.spacing = pattern.spacing;
   request.start = start;
-  request.area = Box2(low, high);
-  const auto lay = request.kind == LatticeKind::Square ? chebyshev_net : low_distortion_lattice;
+  request.area = patch::Box2(low, high);
+  const auto lay = request.kind == patch::LatticeKind::Square ? patch::chebyshev_net
+                                                              : patch::low_distortion_lattice;
   return lay(request, plane, sampler_of(sampler), report);
 }
 
-py::dict spread_dict(const Dimples& dimples, const PatchPattern& pattern) {
-  SpacingSpread spread;
+py::dict spread_dict(const patch::Dimples& dimples, const patch::PatchPattern& pattern) {
+  patch::SpacingSpread spread;
   {
     const py::gil_scoped_release release;
-    spread = spacing_spread(dimples, lattice_of(pattern.shape), pattern.spacing);
+    spread = patch::spacing_spread(dimples, patch::lattice_of(pattern.shape), pattern.spacing);
   }
   py::dict d;
   d["least"] = spread.least;
@@ -150,10 +154,10 @@ py::dict spread_dict(const Dimples& dimples, const PatchPattern& pattern) {
 }
 
 void bind_lattices(py::module_& m) {
-  py::class_<SurfaceLattice>(m, "SurfaceLattice", "A lattice laid on the surface.")
+  py::class_<patch::SurfaceLattice>(m, "SurfaceLattice", "A lattice laid on the surface.")
       .def(
           "places",
-          [](const SurfaceLattice& lattice, const Points& points) {
+          [](const patch::SurfaceLattice& lattice, const Points& points) {
             Points places(points.rows(), 2);
             for (Eigen::Index i = 0; i < points.rows(); ++i)
               places.row(i) = lattice.place_of(points.row(i)).transpose();
@@ -163,8 +167,10 @@ void bind_lattices(py::module_& m) {
           "Places in the texture plane [mm] of (n, 2) lattice coordinates; NaN beyond its end.")
       .def(
           "counted_from",
-          [](const SurfaceLattice& lattice, const Vec2& flat, const PatchPattern& pattern) {
-            return counted_from(lattice, flat, lattice_of(pattern.shape), pattern.spacing);
+          [](const patch::SurfaceLattice& lattice, const Vec2& flat,
+             const patch::PatchPattern& pattern) {
+            return patch::counted_from(lattice, flat, patch::lattice_of(pattern.shape),
+                                       pattern.spacing);
           },
           py::arg("flat"), py::arg("pattern"),
           "The same lattice with the point next to `flat` [mm] as (0, 0).");
@@ -175,14 +181,14 @@ void bind_lattices(py::module_& m) {
   m.def(
       "nearest_start",
       [](const Vec2& wanted, const Vec2& low, const Vec2& high, const FaceSampler& sampler) {
-        return nearest_start(wanted, Box2(low, high), sampler_of(sampler));
+        return patch::nearest_start(wanted, patch::Box2(low, high), sampler_of(sampler));
       },
       py::arg("wanted"), py::arg("low"), py::arg("high"), py::arg("sampler"),
       "The place nearest to `wanted` that can be cut [mm].");
   m.def(
       "cover_lattice",
-      [](const PatchPattern& pattern, const SurfaceLattice& lattice, const Vec2& low,
-         const Vec2& high) { return cover(pattern, lattice, Box2(low, high)); },
+      [](const patch::PatchPattern& pattern, const patch::SurfaceLattice& lattice, const Vec2& low,
+         const Vec2& high) { return patch::cover(pattern, lattice, patch::Box2(low, high)); },
       py::arg("pattern"), py::arg("lattice"), py::arg("low"), py::arg("high"),
       py::call_guard<py::gil_scoped_release>(),
       "The patches with lattice points over the rectangle from `low` to `high` [mm].");
@@ -196,7 +202,7 @@ void bind_lattices(py::module_& m) {
 void bind_texture(py::module_& m) {
   bind_masks(m);
   bind_lattices(m);
-  m.def("sink", &sink, py::arg("dimples"), py::arg("depth"),
+  m.def("sink", &patch::sink, py::arg("dimples"), py::arg("depth"),
         "Puts the bottoms of all dimples `depth` [mm] below the surface.");
   m.def("texture_size", &size_dict, py::arg("kind"), py::arg("shape"), py::arg("ball_radius"),
         py::arg("spacing") = py::none(), py::arg("depth") = py::none(),

@@ -68,9 +68,9 @@ py::tuple channels(scene::Rgba colour) {
 
 py::dict state_colours() {
   py::dict colours;
-  for (int s = 0; s < kDimpleStates; ++s) {
-    const auto state = static_cast<DimpleState>(s);
-    colours[name(state)] = channels(scene::state_colour(state));
+  for (int s = 0; s < patch::kDimpleStates; ++s) {
+    const auto state = static_cast<patch::DimpleState>(s);
+    colours[patch::name(state)] = channels(scene::state_colour(state));
   }
   return colours;
 }
@@ -110,7 +110,7 @@ void bind_texture_displays(py::module_& m) {
   const auto released = py::call_guard<py::gil_scoped_release>();
   m.def(
       "dimple_display",
-      [](const Dimples& dimples, double radius) {
+      [](const patch::Dimples& dimples, double radius) {
         require_positive("radius", radius, "mm");
         return HeldDisplay{scene::dimple_display(dimples, radius)};
       },
@@ -118,7 +118,7 @@ void bind_texture_displays(py::module_& m) {
       "Discs of `radius` [mm] on the surface, coloured by state.");
   m.def(
       "order_display",
-      [](const Dimples& dimples, double spacing) {
+      [](const patch::Dimples& dimples, double spacing) {
         require_positive("spacing", spacing, "mm");
         return HeldDisplay{scene::order_display(dimples, spacing)};
       },

@@ -12,11 +12,11 @@
 namespace patchmill {
 namespace {
 
-ToolAxisMode mode_of(const std::string& name) {
-  if (name == "Fixed") return ToolAxisMode::Fixed;
-  if (name == "Normal") return ToolAxisMode::Normal;
-  if (name == "Minimum lead") return ToolAxisMode::MinimumLead;
-  if (name == "Field") return ToolAxisMode::Field;
+sync::ToolAxisMode mode_of(const std::string& name) {
+  if (name == "Fixed") return sync::ToolAxisMode::Fixed;
+  if (name == "Normal") return sync::ToolAxisMode::Normal;
+  if (name == "Minimum lead") return sync::ToolAxisMode::MinimumLead;
+  if (name == "Field") return sync::ToolAxisMode::Field;
   throw InputError("ToolAxisMode", "'" + name + "'", "give Fixed, Normal, Minimum lead or Field.");
 }
 
@@ -24,10 +24,11 @@ py::array_t<double> axes_array(const std::vector<Vec3>& axes) {
   return rows_of(axes, [](const Vec3& v) { return v; });
 }
 
-py::array_t<double> axes_of(const Dimples& dimples, const std::string& mode, const Vec3& axis,
-                            double lead, double tilt, double least_lead, const Vec3& towards,
-                            const py::object& field, double smoothing, double widest) {
-  ToolAxisRule rule;
+py::array_t<double> axes_of(const patch::Dimples& dimples, const std::string& mode,
+                            const Vec3& axis, double lead, double tilt, double least_lead,
+                            const Vec3& towards, const py::object& field, double smoothing,
+                            double widest) {
+  sync::ToolAxisRule rule;
   rule.mode = mode_of(mode);
   rule.axis = axis;
   rule.lead = Angle::radians(lead);
@@ -37,49 +38,50 @@ py::array_t<double> axes_of(const Dimples& dimples, const std::string& mode, con
   rule.smoothing = Angle::radians(smoothing);
   rule.widest = Angle::radians(widest);
   if (!field.is_none()) rule.field = points_of(field.cast<Points>(), "PostureField");
-  return axes_array(tool_axes(dimples, rule));
+  return axes_array(sync::tool_axes(dimples, rule));
 }
 
-Postures postures_of(const Kinematics& machine, const Dimples& dimples, const Points& axes,
-                     int decimals) {
+sync::Postures postures_of(const machine::Kinematics& machine, const patch::Dimples& dimples,
+                           const Points& axes, int decimals) {
   const std::vector<Vec3> wanted = points_of(axes, "axes");
-  PosturePlan plan;
+  sync::PosturePlan plan;
   {
     const py::gil_scoped_release release;
-    plan = plan_postures(machine, dimples, wanted, Decimals(decimals));
+    plan = sync::plan_postures(machine, dimples, wanted, Decimals(decimals));
   }
   if (!plan.complete)
     throw InputError("ToolAxis", "dimple " + std::to_string(plan.failed), plan.reason);
   return std::move(plan.postures);
 }
 
-PhaseRule with_azimuths(PhaseRule rule, const Postures& postures) {
+sync::PhaseRule with_azimuths(sync::PhaseRule rule, const sync::Postures& postures) {
   rule.azimuths = postures.azimuths;
   return rule;
 }
 
-PathText rotary_text(const PosturePath& told, const std::string& letters, const MotionModel& model,
-                     int decimals, const std::string& before, const std::string& after,
-                     bool as_set) {
+PathText rotary_text(const machine::PosturePath& told, const std::string& letters,
+                     const machine::MotionModel& model, int decimals, const std::string& before,
+                     const std::string& after, bool as_set) {
   const auto line = [](const std::string& words) { return words.empty() ? words : words + "\n"; };
   return PathText(line(before) +
-                  freecad_paced_text(told.path, model, Decimals(decimals), FeedWord::PerMinute,
-                                     {letters, told.joints, as_set}) +
+                  gcode::freecad_paced_text(told.path, model, Decimals(decimals),
+                                            gcode::FeedWord::PerMinute,
+                                            {letters, told.joints, as_set}) +
                   line(after));
 }
 
-ToolPath section_in_work(const ProgramSection& section, const Kinematics& machine,
-                         const ProgramForm& form) {
+ToolPath section_in_work(const gcode::ProgramSection& section, const machine::Kinematics& machine,
+                         const gcode::ProgramForm& form) {
   if (section.angles.size() != section.path.moves.size() + 1)
     throw InputError("Section", "without rotary words", "read the program with rotary=True.");
-  PosturePath read{section.path, {}};
+  machine::PosturePath read{section.path, {}};
   for (const auto& angles : section.angles) {
-    Joints q{};
+    machine::Joints q{};
     for (std::size_t k = 0; k < machine.rotary.size(); ++k)
       q[k] = angles[static_cast<std::size_t>(machine.rotary[k].letter - 'A')];
     read.joints.push_back(q);
   }
-  return work_path(read, machine, form);
+  return gcode::work_path(read, machine, form);
 }
 
 }  // namespace
@@ -92,22 +94,24 @@ void bind_postures(py::module_& m) {
         "One unit tool axis for each dimple, (n, 3); `field`: (n, 3) for mode 'Field'.");
   m.def(
       "axes_by_row",
-      [](const Dimples& dimples, const Points& axes, double tolerance) {
-        return axes_array(axes_by_row(dimples, points_of(axes, "axes"), Angle::radians(tolerance)));
+      [](const patch::Dimples& dimples, const Points& axes, double tolerance) {
+        return axes_array(
+            sync::axes_by_row(dimples, points_of(axes, "axes"), Angle::radians(tolerance)));
       },
       py::arg("dimples"), py::arg("axes"), py::arg("tolerance"),
       "Axes that stay the same along each row, as spindle-locked paths need them.");
   m.def(
       "mark_tool_tip_along",
-      [](Dimples& dimples, const Points& axes, double least_tilt) {
-        mark_tool_tip(dimples, points_of(axes, "axes"), Angle::radians(least_tilt));
+      [](patch::Dimples& dimples, const Points& axes, double least_tilt) {
+        sync::mark_tool_tip(dimples, points_of(axes, "axes"), Angle::radians(least_tilt));
       },
       py::arg("dimples"), py::arg("axes"), py::arg("least_tilt"),
       "As mark_tool_tip with an axis for each dimple.");
-  py::class_<Postures>(m, "Postures", "How the rotary axes stand at each dimple.")
-      .def_property_readonly("joints", [](const Postures& p) { return joints_array(p.joints); })
-      .def_property_readonly("axes", [](const Postures& p) { return axes_array(p.axes); })
-      .def_property_readonly("azimuths", [](const Postures& p) {
+  py::class_<sync::Postures>(m, "Postures", "How the rotary axes stand at each dimple.")
+      .def_property_readonly("joints",
+                             [](const sync::Postures& p) { return joints_array(p.joints); })
+      .def_property_readonly("axes", [](const sync::Postures& p) { return axes_array(p.axes); })
+      .def_property_readonly("azimuths", [](const sync::Postures& p) {
         return column_of<double>(p.azimuths, [](Angle a) { return a.radians(); });
       });
   m.def("plan_postures", &postures_of, py::arg("machine"), py::arg("dimples"), py::arg("axes"),
@@ -115,13 +119,15 @@ void bind_postures(py::module_& m) {
         "Postures for the dimples to be cut. Raises InputError naming ToolAxis if they cannot be.");
   m.def("with_azimuths", &with_azimuths, py::arg("rule"), py::arg("postures"),
         "A phase rule that counts the azimuths which the rotary axes make.");
-  m.def("turning_seconds", &turning_seconds, py::arg("machine"), py::arg("dimples"),
+  m.def("turning_seconds", &sync::turning_seconds, py::arg("machine"), py::arg("dimples"),
         py::arg("postures"), py::arg("tool"), py::arg("model"), py::arg("form"),
         py::call_guard<py::gil_scoped_release>());
   m.def(
       "with_postures",
-      [](const ToolPath& vertical, const Postures& postures, const Kinematics& machine,
-         int decimals) { return with_postures(vertical, postures, machine, Decimals(decimals)); },
+      [](const ToolPath& vertical, const sync::Postures& postures,
+         const machine::Kinematics& machine, int decimals) {
+        return sync::with_postures(vertical, postures, machine, Decimals(decimals));
+      },
       py::arg("vertical"), py::arg("postures"), py::arg("machine"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
       "A planned path with its tool axes and angles; the ball centre keeps its way.");

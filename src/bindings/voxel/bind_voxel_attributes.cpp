@@ -11,63 +11,64 @@ namespace {
 
 using Points = Eigen::Matrix<double, -1, 3, Eigen::RowMajor>;
 
-VoxelMaterials make_materials(const VoxelGrid& grid,
+VoxelMaterials make_materials(const voxel::VoxelGrid& grid,
                               const std::vector<std::pair<const Solid*, double>>& bodies) {
-  std::vector<MaterialBody> list;
+  std::vector<dcm::MaterialBody> list;
   for (const auto& [solid, depth] : bodies) list.push_back({&solid->mesh, &solid->bvh, depth});
   const py::gil_scoped_release release;
-  return {materials_of(grid, list)};
+  return {dcm::materials_of(grid, list)};
 }
 
 // Zero rows where the field has no axis.
-py::array_t<double> axes_at(const VoxelGrid& grid, const PostureField& posture,
+py::array_t<double> axes_at(const voxel::VoxelGrid& grid, const dcm::PostureField& posture,
                             const Points& points) {
-  require_over(grid, posture);
+  dcm::require_over(grid, posture);
   std::vector<Vec3> axes;
   {
     const py::gil_scoped_release release;
     for (Eigen::Index i = 0; i < points.rows(); ++i)
-      axes.push_back(read_axis(grid, posture, points.row(i)).value_or(Vec3::Zero()));
+      axes.push_back(dcm::read_axis(grid, posture, points.row(i)).value_or(Vec3::Zero()));
   }
   return rows_of(axes, [](const Vec3& v) { return v; });
 }
 
-py::array_t<double> feed_at(const VoxelGrid& grid, const FeedField& feed, const Points& points,
-                            const Vec3& direction) {
+py::array_t<double> feed_at(const voxel::VoxelGrid& grid, const dcm::FeedField& feed,
+                            const Points& points, const Vec3& direction) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  require_over(grid, feed);
+  dcm::require_over(grid, feed);
   const Vec3 d = unit_along("Direction", direction);
   std::vector<double> values;
   {
     const py::gil_scoped_release release;
     for (Eigen::Index i = 0; i < points.rows(); ++i)
-      values.push_back(read_feed(grid, feed, points.row(i), d).value_or(kNone));
+      values.push_back(dcm::read_feed(grid, feed, points.row(i), d).value_or(kNone));
   }
   return column_of<double>(values, [](double v) { return v; });
 }
 
-Cell cell_of(const VoxelGrid& grid, const Vec3& p) {
+voxel::Cell cell_of(const voxel::VoxelGrid& grid, const Vec3& p) {
   const Vec3 u = grid.frame.in_cells(p);
   const bool near = (u.array() >= -1.0).all() && (u.array() < 65536.0).all();
-  return near ? Cell(u.array().floor().cast<int>()) : Cell(-1, -1, -1);
+  return near ? voxel::Cell(u.array().floor().cast<int>()) : voxel::Cell(-1, -1, -1);
 }
 
-py::array_t<std::uint8_t> kinds_at(const VoxelGrid& grid, const Points& points) {
-  std::vector<VoxelKind> kinds;
+py::array_t<std::uint8_t> kinds_at(const voxel::VoxelGrid& grid, const Points& points) {
+  std::vector<voxel::VoxelKind> kinds;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
     kinds.push_back(grid.at(cell_of(grid, points.row(i))));
-  return column_of<std::uint8_t>(kinds, [](VoxelKind k) { return static_cast<std::uint8_t>(k); });
+  return column_of<std::uint8_t>(kinds,
+                                 [](voxel::VoxelKind k) { return static_cast<std::uint8_t>(k); });
 }
 
-py::array_t<int> materials_at(const VoxelGrid& grid, const VoxelMaterials& materials,
+py::array_t<int> materials_at(const voxel::VoxelGrid& grid, const VoxelMaterials& materials,
                               const Points& points) {
-  require_over(grid, materials.number);
+  dcm::require_over(grid, materials.number);
   std::vector<int> found;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const Cell cell = cell_of(grid, points.row(i));
-    const VoxelKind kind = grid.at(cell);
-    const bool none = kind == VoxelKind::Air || kind == VoxelKind::Part;
-    found.push_back(none ? -1 : materials.number[cell_index(grid.table, cell)]);
+    const voxel::Cell cell = cell_of(grid, points.row(i));
+    const voxel::VoxelKind kind = grid.at(cell);
+    const bool none = kind == voxel::VoxelKind::Air || kind == voxel::VoxelKind::Part;
+    found.push_back(none ? -1 : materials.number[voxel::cell_index(grid.table, cell)]);
   }
   return column_of<int>(found, [](int m) { return m; });
 }
@@ -83,10 +84,10 @@ void bind_voxel_attributes(py::module_& m) {
         "Solid and depth below its surface [mm], that holds the voxel's centre.");
   m.def(
       "scale_feed",
-      [](const FeedField& feed, const VoxelMaterials& materials,
+      [](const dcm::FeedField& feed, const VoxelMaterials& materials,
          const std::vector<double>& factors) {
-        FeedField scaled = feed;
-        scale_feed(scaled, materials.number, factors);
+        dcm::FeedField scaled = feed;
+        dcm::scale_feed(scaled, materials.number, factors);
         return scaled;
       },
       py::arg("feed"), py::arg("materials"), py::arg("factors"),

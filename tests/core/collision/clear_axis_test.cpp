@@ -13,13 +13,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::collision {
 namespace {
 
 // A shank of radius 3 and a holder of radius 12 that begins 20 mm above the ball.
 const std::vector<HolderSection> kHolder{{1.0, 20.0, 3.0, 3.0}, {20.0, 50.0, 12.0, 14.0}};
 
-double sampled_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+double sampled_distance(const mesh::TriangleBvh& part, const std::vector<HolderSection>& holder,
                         const Vec3& centre, const Vec3& axis, int n) {
   const Vec3 u = any_normal_to(axis), v = axis.cross(u);
   double least = 1e9;
@@ -27,7 +27,7 @@ double sampled_distance(const TriangleBvh& part, const std::vector<HolderSection
     for (int k = 0; k < n; ++k) {
       const double a = 2.0 * kPi * k / n;
       const Vec3 p = centre + h * axis + r * (std::cos(a) * u + std::sin(a) * v);
-      least = std::min(least, closest_point(part, p).distance);
+      least = std::min(least, mesh::closest_point(part, p).distance);
     }
   };
   for (const HolderSection& s : holder)
@@ -77,7 +77,7 @@ RC_GTEST_PROP(HolderDistance, AgreesWithADenseSampling, ()) {
   const auto real = [](double lo, double hi) {
     return lo + (hi - lo) * *rc::gen::inRange(0, 1001) / 1000;
   };
-  const TriangleBvh part(shapes::sphere(Vec3(0, 0, 0), 10.0, 3));
+  const mesh::TriangleBvh part(shapes::sphere(Vec3(0, 0, 0), 10.0, 3));
   const Vec3 centre(real(12, 30), real(-20, 20), real(-20, 20));
   const Vec3 axis = Vec3(real(-1, 1), real(-1, 1), real(0.1, 1)).normalized();
   const double found = holder_distance(part, kHolder, centre, axis, 0.05, 1e3);
@@ -87,19 +87,19 @@ RC_GTEST_PROP(HolderDistance, AgreesWithADenseSampling, ()) {
 }
 
 TEST(HolderDistance, OfAHolderBesideAWall) {
-  const TriangleBvh wall(box_mesh(Vec3(20, -50, -50), Vec3(40, 50, 80)));
+  const mesh::TriangleBvh wall(mesh::box_mesh(Vec3(20, -50, -50), Vec3(40, 50, 80)));
   // the wider end of the holder, radius 14, is nearest: 20 - 14 - 3
   EXPECT_NEAR(holder_distance(wall, kHolder, Vec3(3, 0, 0), Vec3::UnitZ(), 0.01, 100), 3.0, 0.011);
   EXPECT_EQ(holder_distance(wall, kHolder, Vec3(10, 0, 0), Vec3::UnitZ(), 0.01, 100), 0.0);
 }
 
 TEST(HolderDistance, OfAPartThatIsWithinTheHolder) {
-  const TriangleBvh pin(box_mesh(Vec3(-1, -1, 30), Vec3(1, 1, 32)));
+  const mesh::TriangleBvh pin(mesh::box_mesh(Vec3(-1, -1, 30), Vec3(1, 1, 32)));
   EXPECT_EQ(holder_distance(pin, kHolder, Vec3::Zero(), Vec3::UnitZ(), 0.01, 10), 0.0);
 }
 
 TEST(ClearAxis, LeavesAClearAxisAsItIs) {
-  const TriangleBvh wall(box_mesh(Vec3(20, -50, -50), Vec3(40, 50, 80)));
+  const mesh::TriangleBvh wall(mesh::box_mesh(Vec3(20, -50, -50), Vec3(40, 50, 80)));
   const Vec3 wanted = Vec3(-0.2, 0.1, 1).normalized();
   const ClearAxis found = clear_axis(wall, kHolder, Vec3(0, 0, 0), wanted);
   EXPECT_TRUE(found.clear);
@@ -107,7 +107,7 @@ TEST(ClearAxis, LeavesAClearAxisAsItIs) {
 }
 
 TEST(ClearAxis, YieldsToTheNearestClearOne) {
-  const TriangleBvh wall(box_mesh(Vec3(20, -200, -50), Vec3(40, 200, 80)));
+  const mesh::TriangleBvh wall(mesh::box_mesh(Vec3(20, -200, -50), Vec3(40, 200, 80)));
   const Vec3 wanted = Vec3(std::sin(0.5), 0, std::cos(0.5));
   ClearOptions options;
   options.clearance = 2.0;
@@ -126,7 +126,7 @@ RC_GTEST_PROP(ClearAxis, KeepsItsClearanceAtAnyResolution, ()) {
   const auto real = [](double lo, double hi) {
     return lo + (hi - lo) * *rc::gen::inRange(0, 1001) / 1000;
   };
-  const TriangleBvh part(shapes::sphere(Vec3(0, 0, 0), 10.0, 3));
+  const mesh::TriangleBvh part(shapes::sphere(Vec3(0, 0, 0), 10.0, 3));
   const Vec3 out = Vec3(real(-1, 1), real(-1, 1), real(-1, 1)) + Vec3(0, 0, 1e-3);
   const Vec3 centre = 13.0 * out.normalized();
   const Vec3 wanted = (out.normalized() + Vec3(real(-1, 1), real(-1, 1), real(-1, 1))).normalized();
@@ -140,18 +140,20 @@ RC_GTEST_PROP(ClearAxis, KeepsItsClearanceAtAnyResolution, ()) {
 }
 
 TEST(ClearAxis, SaysWhereThereIsNone) {
-  TriangleMesh pit;  // a hole of radius about 5 in which the holder cannot go whatever its axis
+  mesh::TriangleMesh
+      pit;  // a hole of radius about 5 in which the holder cannot go whatever its axis
   pit = shapes::block_with_top(100, 100, 40, [](double u, double v) {
     const double r = std::hypot(100 * u - 50, 100 * v - 50);
     return Vec3(100 * u, 100 * v, r < 8 ? 10.0 : 60.0);
   });
-  const ClearAxis found = clear_axis(TriangleBvh(pit), kHolder, Vec3(50, 50, 14), Vec3::UnitZ());
+  const ClearAxis found =
+      clear_axis(mesh::TriangleBvh(pit), kHolder, Vec3(50, 50, 14), Vec3::UnitZ());
   EXPECT_FALSE(found.clear);
   EXPECT_EQ(found.axis, Vec3::UnitZ());
 }
 
 TEST(ClearAxis, RefusesBadOptions) {
-  const TriangleBvh wall(box_mesh(Vec3(20, -50, -50), Vec3(40, 50, 80)));
+  const mesh::TriangleBvh wall(mesh::box_mesh(Vec3(20, -50, -50), Vec3(40, 50, 80)));
   ClearOptions options;
   options.clearance = 0.0;
   EXPECT_THROW(clear_axis(wall, kHolder, Vec3(0, 0, 0), Vec3::UnitZ(), options), InputError);
@@ -159,7 +161,7 @@ TEST(ClearAxis, RefusesBadOptions) {
 }
 
 // The ball all along the overhanging part's section at y, where it fits.
-ToolPath along_the_section(const TriangleBvh& part, double y) {
+ToolPath along_the_section(const mesh::TriangleBvh& part, double y) {
   const auto surface = [&](double u) {
     const double bump = std::pow(std::sin(kPi * u), 2), lean = (20.0 + 10.0 * y / 50) * bump;
     return Vec3(60 * u + lean * std::sin(kPi * u), y, 8.0 + 22.0 * bump);
@@ -170,7 +172,7 @@ ToolPath along_the_section(const TriangleBvh& part, double y) {
   for (double u = 0.02; u < 0.98; u += 0.01) {
     const Vec3 d = surface(u + 1e-5) - surface(u - 1e-5);
     const Vec3 centre = surface(u) + 3.0 * Vec3(-d.z(), 0, d.x()).normalized();
-    if (closest_point(part, centre).distance < 2.9) continue;
+    if (mesh::closest_point(part, centre).distance < 2.9) continue;
     Move move;
     move.kind = path.moves.empty() ? MoveKind::Rapid : MoveKind::Cut;
     move.end.tip = centre - Vec3(0, 0, 3);
@@ -184,16 +186,17 @@ ToolPath along_the_section(const TriangleBvh& part, double y) {
 // The overhanging part of the paper: its posture drives this holder into the part; with the rule it does
 // not, and the ball centre is where it was.
 TEST(ClearAxis, KeepsTheHolderOutWhereThePapersPostureDrivesItIn) {
-  const TriangleMesh part = shapes::overhanging_part(40);
-  const TriangleBvh bvh(part);
-  VoxelOptions voxels;
+  const mesh::TriangleMesh part = shapes::overhanging_part(40);
+  const mesh::TriangleBvh bvh(part);
+  voxel::VoxelOptions voxels;
   voxels.pitch = 2.0;
-  const VoxelGrid grid = voxelise(box_mesh(Vec3::Zero(), Vec3(76, 50, 40)), part, voxels);
-  const PostureField posture = steady_posture(grid, part, bvh);
+  const voxel::VoxelGrid grid =
+      voxel::voxelise(mesh::box_mesh(Vec3::Zero(), Vec3(76, 50, 40)), part, voxels);
+  const dcm::PostureField posture = dcm::steady_posture(grid, part, bvh);
   const std::vector<HolderSection> holder{{3.0, 8.0, 2.5, 2.5}, {8.0, 40.0, 15.0, 15.0}};
   const ToolPath path = along_the_section(bvh, 40.0);
-  DcmOptions options;
-  const ToolPath blind = apply_dcm(path, grid, nullptr, &posture, options);
+  dcm::DcmOptions options;
+  const ToolPath blind = dcm::apply_dcm(path, grid, nullptr, &posture, options);
   ClearOptions clear;
   clear.clearance = 1.0;
   std::int64_t none = 0;
@@ -202,7 +205,7 @@ TEST(ClearAxis, KeepsTheHolderOutWhereThePapersPostureDrivesItIn) {
     none += found.clear ? 0 : 1;
     return found.axis;
   };
-  const ToolPath seeing = apply_dcm(path, grid, nullptr, &posture, options);
+  const ToolPath seeing = dcm::apply_dcm(path, grid, nullptr, &posture, options);
   const PathClearance before = path_clearance(bvh, holder, blind, clear);
   const PathClearance after = path_clearance(bvh, holder, seeing, clear);
   std::printf("least distance of the holder: %.3f mm before, %.3f mm after (%ld of %zu moves)\n",
@@ -216,4 +219,4 @@ TEST(ClearAxis, KeepsTheHolderOutWhereThePapersPostureDrivesItIn) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::collision

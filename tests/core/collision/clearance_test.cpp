@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::collision {
 namespace {
 
 const PartDistance kHalfSpace = [](const Vec3& p) { return p.z(); };
@@ -107,9 +107,11 @@ TEST(Gouges, OfTheReliefHavePlaceAndDepth) {
   test::MarkMaker maker;
   ToolPath path = maker.path({{0, 0}, {0.5, 0}, {1.0, 0}});
   for (std::size_t k = 3; k <= 4; ++k) path.moves[k].end.tip.z() -= 0.03;  // the second mark
-  const SurfaceGrid grid = flat_grid(test::plane_z0(), {-0.3, -0.3}, {1.3, 0.3}, 0.01);
-  const Relief relief =
-      simulate_marks(motion_of(path, maker.locked(3)), {path.tool, {}, {}}, grid, {0.05}).relief;
+  const marks::SurfaceGrid grid =
+      marks::flat_grid(test::plane_z0(), {-0.3, -0.3}, {1.3, 0.3}, 0.01);
+  const marks::Relief relief = marks::simulate_marks(marks::motion_of(path, maker.locked(3)),
+                                                     {path.tool, {}, {}}, grid, {0.05})
+                                   .relief;
   const auto gouges = find_gouges(relief, 0.002);
   ASSERT_EQ(gouges.size(), 1u);
   EXPECT_NEAR(gouges[0].depth, 0.03, 1e-3);
@@ -117,8 +119,8 @@ TEST(Gouges, OfTheReliefHavePlaceAndDepth) {
   EXPECT_TRUE(find_gouges(relief, 0.04).empty());
 }
 
-std::vector<SurfacePoint> plane_points(double spacing) {
-  std::vector<SurfacePoint> points;
+std::vector<patch::SurfacePoint> plane_points(double spacing) {
+  std::vector<patch::SurfacePoint> points;
   for (int i = 0; i <= 40; ++i)
     for (int j = 0; j <= 40; ++j)
       points.push_back({{spacing * i, spacing * j, 0.0}, Vec3::UnitZ()});
@@ -157,4 +159,4 @@ TEST(Clearance, NothingLookedAtIsNoPass) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::collision

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/collision/mesh_distance.h"
 
-#include "patchmill/geometry/error.h"
 #include "patchmill/collision/section_distance.h"
+#include "patchmill/geometry/error.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::collision {
 namespace {
 
 double box_distance(const Vec3& p, const Vec3& lo, const Vec3& hi) {
@@ -19,19 +19,19 @@ double box_distance(const Vec3& p, const Vec3& lo, const Vec3& hi) {
 
 RC_GTEST_PROP(MeshDistance, OfABoxIsExact, (std::uint16_t a, std::uint16_t b, std::uint16_t c)) {
   const Vec3 lo(1.0, 2.0, 3.0), hi(3.0, 3.5, 7.0);
-  static const PartDistance distance = distance_from_mesh(box_mesh(lo, hi));
+  static const PartDistance distance = distance_from_mesh(mesh::box_mesh(lo, hi));
   const Vec3 p(a % 500 * 0.01, b % 600 * 0.01, c % 1000 * 0.01);
   RC_ASSERT(std::abs(distance(p) - box_distance(p, lo, hi)) < 1e-12);
 }
 
 /// A sphere by latitude and longitude, with poles.
-TriangleMesh sphere_mesh(double radius, int n) {
-  TriangleMesh mesh;
+mesh::TriangleMesh sphere_mesh(double radius, int n) {
+  mesh::TriangleMesh mesh;
   const auto at = [&](int i, int j) {
     const double u = kPi * i / n, v = kPi * (j % (2 * n)) / n;
     return Vec3(radius * Vec3(std::sin(u) * std::cos(v), std::sin(u) * std::sin(v), std::cos(u)));
   };
-  TriangleMesh loose;
+  mesh::TriangleMesh loose;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < 2 * n; ++j) {
       const auto k = static_cast<std::int32_t>(loose.vertices.size());
@@ -42,7 +42,7 @@ TriangleMesh sphere_mesh(double radius, int n) {
     }
   for (Vec3& v : loose.vertices)  // the poles come out at x = 1e-16
     v = v.unaryExpr([](double x) { return std::abs(x) < 1e-12 ? 0.0 : x; });
-  return weld(loose);
+  return mesh::weld(loose);
 }
 
 RC_GTEST_PROP(MeshDistance, OfASphereIsWithinTheChordsOfIt,
@@ -54,7 +54,7 @@ RC_GTEST_PROP(MeshDistance, OfASphereIsWithinTheChordsOfIt,
 
 // A thin wedge: at its sharp edge the two faces look in opposite directions.
 TEST(MeshDistance, SignIsRightAtASharpEdge) {
-  TriangleMesh wedge;
+  mesh::TriangleMesh wedge;
   wedge.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 0, 0.2}, {0, 5, 0}, {10, 5, 0}, {10, 5, 0.2}};
   wedge.triangles = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1},
                      {0, 2, 5}, {0, 5, 3}, {1, 4, 5}, {1, 5, 2}};
@@ -67,7 +67,7 @@ TEST(MeshDistance, SignIsRightAtASharpEdge) {
 }
 
 TEST(MeshDistance, AnOpenMeshIsRefused) {
-  TriangleMesh open = box_mesh({0, 0, 0}, {1, 1, 1});
+  mesh::TriangleMesh open = mesh::box_mesh({0, 0, 0}, {1, 1, 1});
   open.triangles.pop_back();
   EXPECT_THROW(distance_from_mesh(open), InputError);
 }
@@ -84,8 +84,8 @@ ToolPath path_through(const std::vector<Vec3>& tips) {
 
 // The distance of a section from a mesh against the least over very many points of it.
 TEST(SectionDistance, IsTheLeastOverTheMesh) {
-  const TriangleMesh mesh = sphere_mesh(2.0, 12);
-  const TriangleBvh bvh(mesh);
+  const mesh::TriangleMesh mesh = sphere_mesh(2.0, 12);
+  const mesh::TriangleBvh bvh(mesh);
   const ToolSection section{ToolPart::Holder, 1.0, 4.0, 1.5, 2.5};
   for (int k = 0; k < 40; ++k) {
     const Vec3 axis = Vec3(std::sin(0.4 * k), std::cos(1.1 * k), 0.3 * std::sin(k)).normalized();
@@ -117,8 +117,9 @@ TEST(SectionDistance, IsTheLeastOverTheMesh) {
 // Flat meets flat: nothing to search.
 TEST(SectionDistance, HolderComingDownOnAFlatPart) {
   const ToolSection holder{ToolPart::Holder, 25.0, 60.0, 20.0, 20.0};
-  const auto report = check_clearance(path_through({{0, 0, 40}, {0, 0, -25.2}}), {holder},
-                                      shape_from_mesh(box_mesh({-20, -20, -60}, {20, 20, 0})));
+  const auto report =
+      check_clearance(path_through({{0, 0, 40}, {0, 0, -25.2}}), {holder},
+                      shape_from_mesh(mesh::box_mesh({-20, -20, -60}, {20, 20, 0})));
   ASSERT_EQ(report.outcome, ClearanceOutcome::Violated);
   double worst = 0.0;
   for (const auto& f : report.findings)
@@ -128,8 +129,8 @@ TEST(SectionDistance, HolderComingDownOnAFlatPart) {
 
 /// A block of 40 x 40 x 10 with a wall of 2 x 40 x 30 on it, one closed mesh each.
 PartShape block_with_wall() {
-  return join({shape_from_mesh(box_mesh({-20, -20, -10}, {20, 20, 0})),
-               shape_from_mesh(box_mesh({10, -20, -5}, {12, 20, 30}))});
+  return join({shape_from_mesh(mesh::box_mesh({-20, -20, -10}, {20, 20, 0})),
+               shape_from_mesh(mesh::box_mesh({10, -20, -5}, {12, 20, 30}))});
 }
 
 const std::vector<ToolSection> kTool = {{ToolPart::Flute, 1.0, 8.0, 1.0, 1.0},
@@ -177,4 +178,4 @@ TEST(MeshDistance, FlutesThatSinkIntoAWallAreFound) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::collision

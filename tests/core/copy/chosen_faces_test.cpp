@@ -10,16 +10,16 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 constexpr double kRadius = 3.0, kTolerance = 0.01;
 
 // Two steps beside each other: 0 <= x <= 20 is 4 mm high, 20 <= x <= 40 is 10 mm; 30 mm wide. The wall between
 // them is at x = 20.
-TriangleMesh steps() {
+mesh::TriangleMesh steps() {
   const double x[] = {0, 20, 20, 40}, z[] = {4, 4, 10, 10};
-  TriangleMesh mesh;
+  mesh::TriangleMesh mesh;
   for (int i = 0; i < 4; ++i)
     for (const double y : {0.0, 30.0}) mesh.vertices.emplace_back(x[i], y, z[i]);
   for (std::int32_t i = 0; i < 3; ++i) {
@@ -29,8 +29,8 @@ TriangleMesh steps() {
   return mesh;
 }
 
-TriangleMesh only(const TriangleMesh& mesh, std::size_t first) {
-  TriangleMesh some = mesh;
+mesh::TriangleMesh only(const mesh::TriangleMesh& mesh, std::size_t first) {
+  mesh::TriangleMesh some = mesh;
   some.triangles = {mesh.triangles[2 * first], mesh.triangles[2 * first + 1]};
   return some;
 }
@@ -50,7 +50,7 @@ CopyOptions options(CopyMode mode) {
 }
 
 struct Extent {
-  Box box;
+  mesh::Box box;
   double cut = 0.0;
 };
 
@@ -72,13 +72,13 @@ Extent extent(const ToolPath& path) {
 
 class ChosenFaces : public testing::TestWithParam<CopyMode> {
  protected:
-  const TriangleMesh mesh = steps();
-  const TriangleBvh part{mesh};
+  const mesh::TriangleMesh mesh = steps();
+  const mesh::TriangleBvh part{mesh};
   const CopyOptions o = options(GetParam());
   const ToolPath whole = copy_mill(part, o).path;
 
   ToolPath over(std::size_t face) const {
-    return over_faces(whole, part, TriangleBvh(only(mesh, face)), o);
+    return over_faces(whole, part, mesh::TriangleBvh(only(mesh, face)), o);
   }
 };
 
@@ -123,9 +123,9 @@ TEST_P(ChosenFaces, AllFacesAreTheWholePath) {
 }
 
 TEST_P(ChosenFaces, NothingOfAFaceThatTheBallDoesNotReach) {
-  TriangleMesh away = only(mesh, 0);
+  mesh::TriangleMesh away = only(mesh, 0);
   for (Vec3& v : away.vertices) v.z() -= 50.0;
-  EXPECT_EQ(extent(over_faces(whole, part, TriangleBvh(away), o)).cut, 0.0);
+  EXPECT_EQ(extent(over_faces(whole, part, mesh::TriangleBvh(away), o)).cut, 0.0);
 }
 
 TEST_P(ChosenFaces, TheSameOnAnyNumberOfRuns) {
@@ -141,4 +141,4 @@ INSTANTIATE_TEST_SUITE_P(Modes, ChosenFaces, testing::Values(CopyMode::Scanning,
                          });
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::copy

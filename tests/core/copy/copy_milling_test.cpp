@@ -15,10 +15,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
-CopyOptions paper_options(CopyMode mode, const Box& stock) {
+CopyOptions paper_options(CopyMode mode, const mesh::Box& stock) {
   CopyOptions options;  // Table 1 of the paper
   options.mode = mode;
   options.tool = {3.0, 2};
@@ -30,8 +30,8 @@ CopyOptions paper_options(CopyMode mode, const Box& stock) {
   return options;
 }
 
-Box box(const Vec3& lo, const Vec3& hi) {
-  Box b;
+mesh::Box box(const Vec3& lo, const Vec3& hi) {
+  mesh::Box b;
   b.include(lo);
   b.include(hi);
   return b;
@@ -51,12 +51,12 @@ void along(const ToolPath& path, bool cuts_only, const Visit& visit) {
 }
 
 // How deep the ball goes into the part in any move, links and rapids too, by distance and parity: no code in common with the probe.
-double deepest_gouge(const TriangleBvh& part, const ToolPath& path) {
+double deepest_gouge(const mesh::TriangleBvh& part, const ToolPath& path) {
   double deepest = 0.0;
   along(path, false, [&](const Vec3& c) {
-    const auto cross = line_crossings(part, c.y(), c.z());
+    const auto cross = mesh::line_crossings(part, c.y(), c.z());
     const auto before = std::upper_bound(cross.begin(), cross.end(), c.x()) - cross.begin();
-    const double d = closest_point(part, c).distance;
+    const double d = mesh::closest_point(part, c).distance;
     deepest = std::max(deepest, path.tool.radius - (before % 2 == 1 ? -d : d));
   });
   return deepest;
@@ -65,7 +65,7 @@ double deepest_gouge(const TriangleBvh& part, const ToolPath& path) {
 class CopyParts : public testing::TestWithParam<CopyMode> {};
 
 TEST_P(CopyParts, NoGougeDeeperThanTheToleranceOnTheConvexPart) {
-  const TriangleBvh part(shapes::convex_part(30));
+  const mesh::TriangleBvh part(shapes::convex_part(30));
   CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(50, 50, 30)));
   if (GetParam() != CopyMode::Contour) options.radial_depth = 5.0;
   options.axial_depth = 4.0;
@@ -75,7 +75,7 @@ TEST_P(CopyParts, NoGougeDeeperThanTheToleranceOnTheConvexPart) {
 }
 
 TEST_P(CopyParts, NoGougeDeeperThanTheToleranceOnTheOverhangingPart) {
-  const TriangleBvh part(shapes::overhanging_part(30));
+  const mesh::TriangleBvh part(shapes::overhanging_part(30));
   CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(70, 50, 32)));
   options.radial_depth = GetParam() == CopyMode::Contour ? 4.0 : 12.5;
   options.axial_depth = 6.0;
@@ -85,7 +85,7 @@ TEST_P(CopyParts, NoGougeDeeperThanTheToleranceOnTheOverhangingPart) {
 }
 
 TEST_P(CopyParts, NoGougeOnABlockWithUprightWalls) {
-  const TriangleBvh part(box_mesh(Vec3(15, 15, 0), Vec3(35, 30, 12)));
+  const mesh::TriangleBvh part(mesh::box_mesh(Vec3(15, 15, 0), Vec3(35, 30, 12)));
   CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(50, 45, 16)));
   options.radial_depth = 3.0;
   options.axial_depth = 4.0;
@@ -94,7 +94,7 @@ TEST_P(CopyParts, NoGougeOnABlockWithUprightWalls) {
 }
 
 TEST_P(CopyParts, TheSamePathOnAnyNumberOfThreads) {
-  const TriangleBvh part(shapes::overhanging_part(20));
+  const mesh::TriangleBvh part(shapes::overhanging_part(20));
   CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(76, 50, 32)));
   options.radial_depth = options.axial_depth = 8.0;
   std::vector<double> numbers[2];
@@ -110,7 +110,7 @@ TEST_P(CopyParts, TheSamePathOnAnyNumberOfThreads) {
 }
 
 TEST_P(CopyParts, StopsWhenAskedAndSaysHowFarItIs) {
-  const TriangleBvh part(shapes::convex_part(20));
+  const mesh::TriangleBvh part(shapes::convex_part(20));
   CopyOptions options = paper_options(GetParam(), box(Vec3::Zero(), Vec3(50, 50, 30)));
   options.radial_depth = options.axial_depth = 8.0;
   std::vector<double> shares;
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, CopyParts,
                          name_of);
 
 TEST(CopyMilling, ScallopsOnAFlatAreAsPredicted) {
-  const TriangleBvh part(box_mesh(Vec3::Zero(), Vec3(20, 20, 5)));
+  const mesh::TriangleBvh part(mesh::box_mesh(Vec3::Zero(), Vec3(20, 20, 5)));
   CopyOptions options = paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(20, 20, 7)));
   const ToolPath path = copy_mill(part, options).path;
   double highest = 0.0;
@@ -154,7 +154,7 @@ TEST(CopyMilling, ScallopsOnAFlatAreAsPredicted) {
 }
 
 TEST(CopyMilling, EveryLayerTakesAtMostTheAxialDepth) {
-  const TriangleBvh part(shapes::convex_part(20));
+  const mesh::TriangleBvh part(shapes::convex_part(20));
   const CopyOptions options =
       paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(50, 50, 30)));
   const ToolPath path = copy_mill(part, options).path;
@@ -172,7 +172,7 @@ TEST(CopyMilling, EveryLayerTakesAtMostTheAxialDepth) {
 }
 
 TEST(CopyMilling, TimesEveryMoveByItsFeed) {
-  const TriangleBvh part(shapes::convex_part(20));
+  const mesh::TriangleBvh part(shapes::convex_part(20));
   CopyOptions options = paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(50, 50, 30)));
   options.radial_depth = 10;
   const ToolPath path = copy_mill(part, options).path;
@@ -183,8 +183,8 @@ TEST(CopyMilling, TimesEveryMoveByItsFeed) {
 }
 
 TEST(CopyMilling, BelowAnOverhangOnlyTheUndercutModeCuts) {
-  const TriangleMesh mesh = shapes::overhanging_part(40);
-  const TriangleBvh part(mesh);
+  const mesh::TriangleMesh mesh = shapes::overhanging_part(40);
+  const mesh::TriangleBvh part(mesh);
   CopyOptions options = paper_options(CopyMode::Scanning, box(Vec3::Zero(), Vec3(70, 50, 32)));
   options.radial_depth = 10;
   const auto covered = [&](CopyMode mode) {
@@ -200,18 +200,18 @@ TEST(CopyMilling, BelowAnOverhangOnlyTheUndercutModeCuts) {
 
 // A block with a ball-shaped cavity: its wall is part of the offset surface, and no tool comes to it.
 TEST(CopyMilling, LinesInACavityAreLeftOutAndCounted) {
-  TriangleMesh mesh = shapes::block_with_top(
+  mesh::TriangleMesh mesh = shapes::block_with_top(
       40, 40, 4, [](double u, double v) { return Vec3(40 * u, 40 * v, 30); });
   CopyOptions options =
       paper_options(CopyMode::ScanningUndercut, box(Vec3::Zero(), Vec3(40, 40, 34)));
   options.radial_depth = 10.0;
-  EXPECT_EQ(copy_mill(TriangleBvh(mesh), options).out_of_reach, 0);
-  const TriangleMesh hole = shapes::sphere(Vec3(20, 20, 15), 10.0, 4);
+  EXPECT_EQ(copy_mill(mesh::TriangleBvh(mesh), options).out_of_reach, 0);
+  const mesh::TriangleMesh hole = shapes::sphere(Vec3(20, 20, 15), 10.0, 4);
   const auto first = static_cast<std::int32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), hole.vertices.begin(), hole.vertices.end());
   for (const auto& t : hole.triangles)
     mesh.triangles.push_back({first + t[0], first + t[2], first + t[1]});
-  const CopiedPath made = copy_mill(TriangleBvh(mesh), options);
+  const CopiedPath made = copy_mill(mesh::TriangleBvh(mesh), options);
   EXPECT_GT(made.out_of_reach, 0);
   along(made.path, true,
         [&](const Vec3& c) { EXPECT_GT((c - Vec3(20, 20, 15)).norm(), 10.0) << "in the cavity"; });
@@ -257,8 +257,8 @@ TEST(LayerOf, CutsAndRaises) {
 }
 
 TEST(CopyMilling, BadInputIsNamed) {
-  const TriangleBvh part(shapes::convex_part(4));
-  const Box stock = box(Vec3::Zero(), Vec3(50, 50, 30));
+  const mesh::TriangleBvh part(shapes::convex_part(4));
+  const mesh::Box stock = box(Vec3::Zero(), Vec3(50, 50, 30));
   const auto refused = [&](const CopyOptions& options) {
     EXPECT_THROW(copy_mill(part, options), InputError);
   };
@@ -268,8 +268,8 @@ TEST(CopyMilling, BadInputIsNamed) {
   options = paper_options(CopyMode::Contour, stock);
   options.tolerance = 10;
   refused(options);
-  refused(paper_options(CopyMode::Contour, Box()));
+  refused(paper_options(CopyMode::Contour, mesh::Box()));
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -17,11 +17,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 constexpr double kMinute = 60.0;
-constexpr FeedLimits kFeed{400.0 / kMinute, 800.0 / kMinute};
+constexpr dcm::FeedLimits kFeed{400.0 / kMinute, 800.0 / kMinute};
 
 std::ofstream table(const std::string& name, const std::string& columns) {
   const char* folder = std::getenv("PATCHMILL_DCM_DIR");
@@ -31,14 +31,14 @@ std::ofstream table(const std::string& name, const std::string& columns) {
   return out;
 }
 
-Box box(const Vec3& lo, const Vec3& hi) {
-  Box b;
+mesh::Box box(const Vec3& lo, const Vec3& hi) {
+  mesh::Box b;
   b.include(lo);
   b.include(hi);
   return b;
 }
 
-CopyOptions copying(CopyMode mode, const Box& stock, double feed, double rpm) {
+CopyOptions copying(CopyMode mode, const mesh::Box& stock, double feed, double rpm) {
   CopyOptions options;
   options.mode = mode;
   options.tool = {3.0, 2};
@@ -99,18 +99,18 @@ void write_path(const std::string& name, const ToolPath& path) {
   }
 }
 
-void write_section(const std::string& name, const VoxelGrid& grid, double y,
+void write_section(const std::string& name, const voxel::VoxelGrid& grid, double y,
                    const std::function<double(std::size_t)>& value) {
   std::ofstream out = table(name, "x,z,kind,value");
-  shapes::for_each_cell(grid.table, [&](std::size_t i, const Cell& c) {
+  shapes::for_each_cell(grid.table, [&](std::size_t i, const voxel::Cell& c) {
     if (c.y() != grid.frame.cell_at(Vec3(0, y, 0)).y()) return;
     const Vec3 p = grid.frame.centre(c);
     out << fmt::format("{},{},{},{:.6f}\n", p.x(), p.z(), static_cast<int>(grid.kind[i]), value(i));
   });
 }
 
-void report(const char* what, const PathSteps& stairs, const PathSteps& smooth) {
-  const auto line = [&](const char* way, const PathSteps& steps) {
+void report(const char* what, const dcm::PathSteps& stairs, const dcm::PathSteps& smooth) {
+  const auto line = [&](const char* way, const dcm::PathSteps& steps) {
     std::printf(
         "%s, %s: %ld moves; feed step %.1f mm/min straight on, %.1f at corners; axis step "
         "%.2f deg on the spot, %.2f in a move\n",
@@ -125,13 +125,13 @@ struct BothWays {
   ToolPath stairs, smooth;
 };
 
-BothWays both_ways(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
-                   const PostureField* posture) {
-  DcmOptions options;
-  options.read_at = ReadAt::Tip;
-  const ToolPath smooth = apply_dcm(path, grid, feed, posture, options);
-  options.reading = Reading::Nearest;
-  return {apply_dcm(path, grid, feed, posture, options), smooth};
+BothWays both_ways(const ToolPath& path, const voxel::VoxelGrid& grid, const dcm::FeedField* feed,
+                   const dcm::PostureField* posture) {
+  dcm::DcmOptions options;
+  options.read_at = dcm::ReadAt::Tip;
+  const ToolPath smooth = dcm::apply_dcm(path, grid, feed, posture, options);
+  options.reading = dcm::Reading::Nearest;
+  return {dcm::apply_dcm(path, grid, feed, posture, options), smooth};
 }
 
 // Every timed move's feed is between the limits.
@@ -148,17 +148,17 @@ void expect_within_limits(const ToolPath& path) {
 }
 
 struct FeedExperiment {
-  TriangleMesh part = shapes::convex_part(60);
-  TriangleBvh bvh{part};
-  VoxelGrid grid;
-  FeedField feed;
-  Box stock = box(Vec3::Zero(), Vec3(50, 50, 36));
+  mesh::TriangleMesh part = shapes::convex_part(60);
+  mesh::TriangleBvh bvh{part};
+  voxel::VoxelGrid grid;
+  dcm::FeedField feed;
+  mesh::Box stock = box(Vec3::Zero(), Vec3(50, 50, 36));
 
   FeedExperiment() {
-    VoxelOptions options;
+    voxel::VoxelOptions options;
     options.pitch = 2.0;
-    grid = voxelise(box_mesh(stock.lo, stock.hi), part, options);
-    feed = steady_feed(grid, kFeed);
+    grid = voxel::voxelise(mesh::box_mesh(stock.lo, stock.hi), part, options);
+    feed = dcm::steady_feed(grid, kFeed);
   }
 };
 
@@ -166,14 +166,14 @@ TEST(Kobayashi, FeedAlongScanningLinesAtY24) {
   const FeedExperiment e;
   write_section("feed_y24", e.grid, 24,
                 [&](std::size_t i) { return kMinute * e.feed.along[0][i]; });
-  const Box slice = box(Vec3(0, 24, 0), Vec3(50, 26, 36));
+  const mesh::Box slice = box(Vec3(0, 24, 0), Vec3(50, 26, 36));
   const ToolPath path = copy_mill(e.bvh, copying(CopyMode::Scanning, slice, 400, 6000)).path;
   const BothWays way = both_ways(path, e.grid, &e.feed, nullptr);
   write_pass("feed_pass_stairs", way.stairs, 24);
   write_pass("feed_pass_smooth", way.smooth, 24);
   expect_within_limits(way.smooth);
   expect_within_limits(way.stairs);
-  const PathSteps stairs = path_steps(way.stairs), smooth = path_steps(way.smooth);
+  const dcm::PathSteps stairs = dcm::path_steps(way.stairs), smooth = dcm::path_steps(way.smooth);
   report("feed, scanning", stairs, smooth);
   EXPECT_GT(stairs.feed, 10.0 * smooth.feed);
   EXPECT_LT(statistics(way.smooth).timed_seconds, statistics(path).timed_seconds);
@@ -189,21 +189,21 @@ TEST(Kobayashi, FeedAlongContourLines) {
   write_path("contour_path", path);
   const BothWays way = both_ways(path, e.grid, &e.feed, nullptr);
   expect_within_limits(way.smooth);
-  const PathSteps stairs = path_steps(way.stairs), smooth = path_steps(way.smooth);
+  const dcm::PathSteps stairs = dcm::path_steps(way.stairs), smooth = dcm::path_steps(way.smooth);
   report("feed, contour", stairs, smooth);
   EXPECT_LE(smooth.feed, stairs.feed);
 }
 
 TEST(Kobayashi, PostureAlongScanningLinesOverAnOverhang) {
-  const TriangleMesh part = shapes::overhanging_part(60);
-  const TriangleBvh bvh(part);
-  VoxelOptions voxels;
+  const mesh::TriangleMesh part = shapes::overhanging_part(60);
+  const mesh::TriangleBvh bvh(part);
+  voxel::VoxelOptions voxels;
   voxels.pitch = 2.0;
-  const Box stock = box(Vec3::Zero(), Vec3(76, 50, 40));
-  const VoxelGrid grid = voxelise(box_mesh(stock.lo, stock.hi), part, voxels);
-  const PostureField posture = steady_posture(grid, part, bvh);
+  const mesh::Box stock = box(Vec3::Zero(), Vec3(76, 50, 40));
+  const voxel::VoxelGrid grid = voxel::voxelise(mesh::box_mesh(stock.lo, stock.hi), part, voxels);
+  const dcm::PostureField posture = dcm::steady_posture(grid, part, bvh);
   ASSERT_TRUE(posture.outcome.converged);
-  const Box slices = box(Vec3(0, 10, 0), Vec3(76, 40, 40));
+  const mesh::Box slices = box(Vec3(0, 10, 0), Vec3(76, 40, 40));
   CopyOptions options = copying(CopyMode::ScanningUndercut, slices, 4000, 9000);
   options.radial_depth = 10.0;  // the four planes of the figures
   const ToolPath path = copy_mill(bvh, options).path;
@@ -214,7 +214,7 @@ TEST(Kobayashi, PostureAlongScanningLinesOverAnOverhang) {
     write_pass(fmt::format("posture_pass_y{}_stairs", y), way.stairs, y);
     write_pass(fmt::format("posture_pass_y{}_smooth", y), way.smooth, y);
   }
-  const PathSteps stairs = path_steps(way.stairs), smooth = path_steps(way.smooth);
+  const dcm::PathSteps stairs = dcm::path_steps(way.stairs), smooth = dcm::path_steps(way.smooth);
   report("posture", stairs, smooth);
   EXPECT_GT(stairs.axis_at_rest.degrees(), 5.0);
   EXPECT_LT(smooth.axis_per_move.degrees(), 5.0);
@@ -230,4 +230,4 @@ TEST(Kobayashi, PostureAlongScanningLinesOverAnOverhang) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::copy

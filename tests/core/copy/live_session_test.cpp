@@ -13,21 +13,21 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 constexpr double kRadius = 3.0;
 const Vec3 kStock(50, 50, 30);
 
 struct Fixture {
-  TriangleMesh part = shapes::convex_part(24);
-  TriangleBvh bvh{part};
-  VoxelGrid grid;
+  mesh::TriangleMesh part = shapes::convex_part(24);
+  mesh::TriangleBvh bvh{part};
+  voxel::VoxelGrid grid;
   CopyOptions options;
   Fixture() {
-    VoxelOptions voxels;
+    voxel::VoxelOptions voxels;
     voxels.pitch = 2.0;
-    grid = voxelise(box_mesh(Vec3::Zero(), kStock), part, voxels);
+    grid = voxel::voxelise(mesh::box_mesh(Vec3::Zero(), kStock), part, voxels);
     options.tool = {kRadius, 2};
     options.spindle.speed = 100.0;
     options.feed = 400.0 / 60.0;
@@ -78,10 +78,10 @@ struct Check {
       const int n = 1 + static_cast<int>(length / 0.25);
       for (int k = 1; k <= n; ++k) {
         const Vec3 centre = from + k * (move.end.tip - from) / n + Vec3(0, 0, kRadius);
-        const auto cross = line_crossings(f.bvh, centre.y(), centre.z());
+        const auto cross = mesh::line_crossings(f.bvh, centre.y(), centre.z());
         const bool inside =
             (std::upper_bound(cross.begin(), cross.end(), centre.x()) - cross.begin()) % 2 == 1;
-        const double d = closest_point(f.bvh, centre, kRadius + 1.0).distance;
+        const double d = mesh::closest_point(f.bvh, centre, kRadius + 1.0).distance;
         gouge = std::max(gouge, kRadius - (inside ? -d : d));
         map.pass(centre);
       }
@@ -114,7 +114,7 @@ struct Check {
   }
 };
 
-constexpr FeedLimits kFeed{400.0 / 60.0, 800.0 / 60.0};
+constexpr dcm::FeedLimits kFeed{400.0 / 60.0, 800.0 / 60.0};
 
 TEST(LiveSession, CutsTheWholePartInBatches) {
   const Fixture f;
@@ -168,9 +168,9 @@ TEST(LiveSession, GoesOnFromWhereItIsWhenConditionsChange) {
 // voxels that are read are of one material.
 TEST(LiveSession, SlowsInAMaterialBeforeAndAfterAChange) {
   const Fixture f;
-  const TriangleMesh insert = box_mesh(Vec3(-1, -1, -1), Vec3(25, 51, 31));
-  const TriangleBvh insert_bvh(insert);
-  const FeedFactors factors{materials_of(f.grid, {{&insert, &insert_bvh}}), {1.0, 0.25}};
+  const mesh::TriangleMesh insert = mesh::box_mesh(Vec3(-1, -1, -1), Vec3(25, 51, 31));
+  const mesh::TriangleBvh insert_bvh(insert);
+  const dcm::FeedFactors factors{dcm::materials_of(f.grid, {{&insert, &insert_bvh}}), {1.0, 0.25}};
   double v = 8.0;
   LiveSession session(f.bvh, f.grid, f.options, {v, v}, {}, factors);
   Check check;
@@ -185,7 +185,7 @@ TEST(LiveSession, SlowsInAMaterialBeforeAndAfterAChange) {
       const Vec3 to = ball_centre(move.end, kRadius);
       double least = 1.0, most = 0.0;
       for (const Vec3& p : {from, to}) {
-        const ReadingStencil at = reading_stencil(f.grid, p, Reading::Trilinear);
+        const dcm::ReadingStencil at = dcm::reading_stencil(f.grid, p, dcm::Reading::Trilinear);
         for (int i = 0; i < at.size; ++i) {
           least = std::min(least, factors.factor[factors.material[at.cell[i]]]);
           most = std::max(most, factors.factor[factors.material[at.cell[i]]]);
@@ -218,9 +218,9 @@ TEST(LiveSession, RefusesAConditionAndStaysAsItWas) {
   CopyOptions contour = f.options;
   contour.mode = CopyMode::Contour;
   EXPECT_THROW(LiveSession(f.bvh, f.grid, contour, kFeed), InputError);
-  const FeedFactors missing{std::vector<std::uint8_t>(f.grid.kind.size(), 1), {1.0}};
+  const dcm::FeedFactors missing{std::vector<std::uint8_t>(f.grid.kind.size(), 1), {1.0}};
   EXPECT_THROW(LiveSession(f.bvh, f.grid, f.options, kFeed, {}, missing), InputError);
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::copy

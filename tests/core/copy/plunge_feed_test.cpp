@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 ToolPath one_move(const Vec3& way, double feed, MoveKind kind) {
@@ -52,4 +52,4 @@ TEST(PlungeFeed, RefusesNoFeed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -13,16 +13,16 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 constexpr double kRadius = 3.0;
 
-VoxelGrid block(double pitch) {
-  VoxelOptions options;
+voxel::VoxelGrid block(double pitch) {
+  voxel::VoxelOptions options;
   options.pitch = pitch;
-  return voxelise(box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 20)),
-                  box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 8)), options);
+  return voxel::voxelise(mesh::box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 20)),
+                         mesh::box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 8)), options);
 }
 
 ToolPath passes(const std::vector<Vec3>& tips, double speed) {
@@ -43,10 +43,10 @@ ToolPath passes(const std::vector<Vec3>& tips, double speed) {
 }
 
 TEST(RemainingStock, LosesTheVolumeOfASlot) {
-  const VoxelGrid grid = block(1.0);
+  const voxel::VoxelGrid grid = block(1.0);
   RemainingStock stock(grid);
   const double before = stock.volume();
-  const auto count = count_kinds(grid);
+  const auto count = voxel::count_kinds(grid);
   EXPECT_NEAR(before, double(count[2] + count[3] + count[4]), 1e-6);
   for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 13), Vec3::UnitZ(), kRadius);
   const double slot = 40 * (0.5 * kPi * kRadius * kRadius + 2 * kRadius * 7);
@@ -54,7 +54,7 @@ TEST(RemainingStock, LosesTheVolumeOfASlot) {
 }
 
 TEST(RemainingStock, ALyingToolCutsTheSameSlot) {
-  const VoxelGrid grid = block(1.0);
+  const voxel::VoxelGrid grid = block(1.0);
   RemainingStock stock(grid);
   const double before = stock.volume();
   const Vec3 axis = Vec3(0, 1, 0);
@@ -64,7 +64,7 @@ TEST(RemainingStock, ALyingToolCutsTheSameSlot) {
 }
 
 TEST(RemainingStock, AFlatEndCutsASquareSlot) {
-  const VoxelGrid grid = block(1.0);
+  const voxel::VoxelGrid grid = block(1.0);
   RemainingStock stock(grid, ToolEnd::Flat);
   const double before = stock.volume();
   for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 13), Vec3::UnitZ(), kRadius);
@@ -76,13 +76,13 @@ TEST(RemainingStock, AFlatEndCutsASquareSlot) {
 RC_GTEST_PROP(RemainingStock, EqualsAskingEverySample, (unsigned seed)) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> number(-1, 1);
-  VoxelOptions options;
+  voxel::VoxelOptions options;
   options.pitch = 2.0;
-  const VoxelGrid grid = voxelise(box_mesh(Vec3(0, 0, 0), Vec3(37, 25, 20)),
-                                  shapes::sphere(Vec3(18, 12, 9), 6, 2), options);
+  const voxel::VoxelGrid grid = voxel::voxelise(mesh::box_mesh(Vec3(0, 0, 0), Vec3(37, 25, 20)),
+                                                shapes::sphere(Vec3(18, 12, 9), 6, 2), options);
   std::vector<Vec3> samples;
-  shapes::for_each_cell(grid.table, [&](std::size_t i, const Cell& c) {
-    if (grid.kind[i] == VoxelKind::Air || grid.kind[i] == VoxelKind::Part) return;
+  shapes::for_each_cell(grid.table, [&](std::size_t i, const voxel::Cell& c) {
+    if (grid.kind[i] == voxel::VoxelKind::Air || grid.kind[i] == voxel::VoxelKind::Part) return;
     for (int n = 0; n < 64; ++n)
       samples.push_back(2.0 * c.cast<double>() +
                         0.5 * (Vec3(n % 4, n / 4 % 4, n / 16) + Vec3::Constant(0.5)));
@@ -107,10 +107,11 @@ RC_GTEST_PROP(RemainingStock, EqualsAskingEverySample, (unsigned seed)) {
 }
 
 TEST(RemainingStock, KeepsSamplesOnlyWhereTheToolIsAtWork) {
-  VoxelOptions options;
+  voxel::VoxelOptions options;
   options.pitch = 0.5;
-  const VoxelGrid grid = voxelise(box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 40)),
-                                  box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 8)), options);
+  const voxel::VoxelGrid grid =
+      voxel::voxelise(mesh::box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 40)),
+                      mesh::box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 8)), options);
   RemainingStock stock(grid, ToolEnd::Flat);
   EXPECT_EQ(stock.opened(), 0u);
   std::size_t most = 0;
@@ -125,7 +126,7 @@ TEST(RemainingStock, KeepsSamplesOnlyWhereTheToolIsAtWork) {
 }
 
 TEST(HurryInAir, ASecondPassOverTheSamePlaceIsAir) {
-  const VoxelGrid grid = block(1.0);
+  const voxel::VoxelGrid grid = block(1.0);
   const ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10), Vec3(-5, 20, 10)}, 10.0);
   std::vector<std::int64_t> source;
   const ToolPath out = hurry_in_air(path, grid, AirCutOptions{50.0, 0.0, ToolEnd::Ball}, &source);
@@ -140,7 +141,7 @@ TEST(HurryInAir, ASecondPassOverTheSamePlaceIsAir) {
 }
 
 TEST(HurryInAir, NeverSlowsAndNeverTouchesWhatCuts) {
-  const VoxelGrid grid = block(2.0);
+  const voxel::VoxelGrid grid = block(2.0);
   const ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10)}, 80.0);
   const ToolPath out = hurry_in_air(path, grid, AirCutOptions{50.0, 0.0, ToolEnd::Ball});
   double sum = 0.0;
@@ -149,7 +150,7 @@ TEST(HurryInAir, NeverSlowsAndNeverTouchesWhatCuts) {
 }
 
 TEST(HurryInAir, RefusesATextureAndABadFeed) {
-  const VoxelGrid grid = block(2.0);
+  const voxel::VoxelGrid grid = block(2.0);
   ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10)}, 10.0);
   EXPECT_THROW(hurry_in_air(path, grid, AirCutOptions{0.0, 0.0, ToolEnd::Ball}), InputError);
   path.moves[0].dimple = 3;
@@ -157,4 +158,4 @@ TEST(HurryInAir, RefusesATextureAndABadFeed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -11,25 +11,26 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 constexpr double kRadius = 3.0;
 constexpr FeedLimits kFeed{400.0 / 60.0, 800.0 / 60.0};
 
 struct Model {
-  VoxelGrid grid;
+  voxel::VoxelGrid grid;
   FeedField feed;
   PostureField posture;
 };
 
 const Model& convex_model() {
   static const Model model = [] {
-    VoxelOptions options;
+    voxel::VoxelOptions options;
     options.pitch = 2.0;
-    const TriangleMesh part = shapes::convex_part(30);
-    const TriangleBvh bvh(part);
-    VoxelGrid grid = voxelise(box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), part, options);
+    const mesh::TriangleMesh part = shapes::convex_part(30);
+    const mesh::TriangleBvh bvh(part);
+    voxel::VoxelGrid grid =
+        voxel::voxelise(mesh::box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), part, options);
     FeedField feed = steady_feed(grid, kFeed);
     PostureField posture = steady_posture(grid, part, bvh);
     return Model{std::move(grid), std::move(feed), std::move(posture)};
@@ -65,7 +66,7 @@ RC_GTEST_PROP(FieldReader, ReproducesLinearFields, ()) {
   const auto& grid = convex_model().grid;
   const Vec3 slope(0.3, -0.7, 1.1);
   std::vector<double> field(grid.kind.size());
-  shapes::for_each_cell(grid.table, [&](std::size_t i, const Cell& c) {
+  shapes::for_each_cell(grid.table, [&](std::size_t i, const voxel::Cell& c) {
     field[i] = slope.dot(grid.frame.centre(c));
   });
   // well above the part, between voxel centres
@@ -256,4 +257,4 @@ TEST(ApplyDcm, BadInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -11,25 +11,27 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 constexpr FeedLimits kPaper{400.0 / 60.0, 800.0 / 60.0};  // Table 1 of the paper
 
-VoxelGrid convex_grid(double pitch) {
-  VoxelOptions options;
+voxel::VoxelGrid convex_grid(double pitch) {
+  voxel::VoxelOptions options;
   options.pitch = pitch;
-  return voxelise(box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), shapes::convex_part(40), options);
+  return voxel::voxelise(mesh::box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), shapes::convex_part(40),
+                         options);
 }
 
 // The steady state along one line by elimination (Thomas), no closed form involved.
-std::vector<double> by_elimination(const std::vector<CellRole>& role, std::vector<double> value) {
+std::vector<double> by_elimination(const std::vector<voxel::CellRole>& role,
+                                   std::vector<double> value) {
   const std::size_t n = role.size();
   std::vector<double> below(n, 0), diagonal(n, 1), above(n, 0), right = value;
   for (std::size_t i = 0; i < n; ++i) {
-    if (role[i] != CellRole::Unknown) continue;
-    const bool left_open = i > 0 && role[i - 1] != CellRole::Outside;
-    const bool right_open = i + 1 < n && role[i + 1] != CellRole::Outside;
+    if (role[i] != voxel::CellRole::Unknown) continue;
+    const bool left_open = i > 0 && role[i - 1] != voxel::CellRole::Outside;
+    const bool right_open = i + 1 < n && role[i + 1] != voxel::CellRole::Outside;
     if (!left_open && !right_open) continue;
     below[i] = left_open ? -1 : 0;
     above[i] = right_open ? -1 : 0;
@@ -48,30 +50,30 @@ std::vector<double> by_elimination(const std::vector<CellRole>& role, std::vecto
 }
 
 TEST(FeedField, EqualsEliminationAlongEveryLine) {
-  const VoxelGrid grid = convex_grid(2.0);
+  const voxel::VoxelGrid grid = convex_grid(2.0);
   const FeedField feed = steady_feed(grid, kPaper);
-  const std::vector<CellRole> role = roles(grid, ExteriorRule::Held);
+  const std::vector<voxel::CellRole> role = roles(grid, ExteriorRule::Held);
   const std::vector<double> start = initial_feed(grid, kPaper);
   int lines = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     for (int a = 0; a < grid.frame.cells[u]; ++a)
       for (int b = 0; b < grid.frame.cells[v]; ++b) {
-        std::vector<CellRole> line;
+        std::vector<voxel::CellRole> line;
         std::vector<double> value, ours;
         for (int i = 0; i < grid.frame.cells[axis]; ++i) {
-          Cell cell;
+          voxel::Cell cell;
           cell[axis] = i;
           cell[u] = a;
           cell[v] = b;
-          const std::int64_t at = cell_index(grid.table, cell);
-          line.push_back(at < 0 ? CellRole::Outside : role[at]);
+          const std::int64_t at = voxel::cell_index(grid.table, cell);
+          line.push_back(at < 0 ? voxel::CellRole::Outside : role[at]);
           value.push_back(at < 0 ? 0.0 : start[at]);
           ours.push_back(at < 0 ? 0.0 : feed.along[axis][at]);
         }
         const std::vector<double> reference = by_elimination(line, value);
         for (std::size_t i = 0; i < line.size(); ++i)
-          if (line[i] == CellRole::Unknown) {
+          if (line[i] == voxel::CellRole::Unknown) {
             ASSERT_NEAR(ours[i], reference[i], 1e-12);
           }
         ++lines;
@@ -82,27 +84,28 @@ TEST(FeedField, EqualsEliminationAlongEveryLine) {
 
 TEST(FeedField, IsLinearBetweenSurfaceAndSkin) {
   // a block in the middle of a box: along x from its side (voxels 11, 12 touched) to the skin (29)
-  VoxelOptions options;
+  voxel::VoxelOptions options;
   options.pitch = 1.0;
-  const VoxelGrid grid = voxelise(box_mesh(Vec3::Zero(), Vec3(30, 30, 30)),
-                                  box_mesh(Vec3(8, 8, 8), Vec3(12, 22, 22)), options);
+  const voxel::VoxelGrid grid =
+      voxel::voxelise(mesh::box_mesh(Vec3::Zero(), Vec3(30, 30, 30)),
+                      mesh::box_mesh(Vec3(8, 8, 8), Vec3(12, 22, 22)), options);
   const FeedField feed = steady_feed(grid, kPaper);
   for (int i = 12; i <= 29; ++i) {
     const double exact = kPaper.low + (kPaper.high - kPaper.low) * (i - 12) / (29.0 - 12.0);
-    EXPECT_NEAR(feed.along[0][cell_index(grid.table, Cell(i, 15, 15))], exact, 1e-12);
+    EXPECT_NEAR(feed.along[0][voxel::cell_index(grid.table, voxel::Cell(i, 15, 15))], exact, 1e-12);
   }
 }
 
 TEST(FeedField, WithAFreeExteriorEveryLineThatMeetsTheProductEndsAtVLo) {
-  const VoxelGrid grid = convex_grid(2.0);
+  const voxel::VoxelGrid grid = convex_grid(2.0);
   const FeedField feed = steady_feed(grid, kPaper, ExteriorRule::Free);
   // z lines all begin on the product: V_Lo everywhere
   for (std::size_t i = 0; i < grid.kind.size(); ++i)
-    if (grid.kind[i] == VoxelKind::Removal || grid.kind[i] == VoxelKind::Exterior) {
+    if (grid.kind[i] == voxel::VoxelKind::Removal || grid.kind[i] == voxel::VoxelKind::Exterior) {
       ASSERT_EQ(feed.along[2][i], kPaper.low);
     }
   // an x line above the product meets nothing and keeps V_Hi
-  EXPECT_EQ(feed.along[0][cell_index(grid.table, Cell(12, 12, 17))], kPaper.high);
+  EXPECT_EQ(feed.along[0][voxel::cell_index(grid.table, voxel::Cell(12, 12, 17))], kPaper.high);
 }
 
 RC_GTEST_PROP(FeedField, DirectionWeightsAddUpToOne, (int a, int b, int c)) {
@@ -115,10 +118,10 @@ RC_GTEST_PROP(FeedField, DirectionWeightsAddUpToOne, (int a, int b, int c)) {
 }
 
 TEST(FeedField, BadLimitsAreNamed) {
-  const VoxelGrid grid = convex_grid(5.0);
+  const voxel::VoxelGrid grid = convex_grid(5.0);
   EXPECT_THROW(steady_feed(grid, {0.0, 1.0}), InputError);
   EXPECT_THROW(steady_feed(grid, {2.0, 1.0}), InputError);
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -11,14 +11,15 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 struct Fixture {
-  TriangleMesh stock = box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), part = shapes::convex_part(20);
-  TriangleMesh ball = shapes::sphere(Vec3(30.1, 20.2, 33.3), 9.0, 5);
-  TriangleBvh stock_bvh{stock}, ball_bvh{ball};
-  VoxelGrid grid = voxelise(stock, part, {1.0});
+  mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Zero(), Vec3(50, 50, 36)),
+                     part = shapes::convex_part(20);
+  mesh::TriangleMesh ball = shapes::sphere(Vec3(30.1, 20.2, 33.3), 9.0, 5);
+  mesh::TriangleBvh stock_bvh{stock}, ball_bvh{ball};
+  voxel::VoxelGrid grid = voxel::voxelise(stock, part, {1.0});
 };
 
 TEST(Materials, AreThoseOfTheLastBodyThatHoldsTheCentre) {
@@ -27,7 +28,7 @@ TEST(Materials, AreThoseOfTheLastBodyThatHoldsTheCentre) {
       materials_of(f.grid, {{&f.stock, &f.stock_bvh, 2.25}, {&f.ball, &f.ball_bvh}});
   ASSERT_EQ(material.size(), f.grid.table.cell_count());
   int count[3] = {};
-  shapes::for_each_cell(f.grid.table, [&](std::size_t i, const Cell& cell) {
+  shapes::for_each_cell(f.grid.table, [&](std::size_t i, const voxel::Cell& cell) {
     const Vec3 c = f.grid.frame.centre(cell);
     const double off = (c - Vec3(30.1, 20.2, 33.3)).norm();
     if (std::abs(off - 9.0) < 0.05) return;  // the facets are off the sphere by 4 um
@@ -68,4 +69,4 @@ TEST(Materials, BadInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::dcm

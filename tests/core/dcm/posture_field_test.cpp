@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 Vec3 any_direction() {
@@ -48,17 +48,18 @@ TEST(PostureAngles, SignsAreThoseOfTheProjections) {
 }
 
 struct Solved {
-  VoxelGrid grid;
+  voxel::VoxelGrid grid;
   std::vector<Vec3> normal;
   PostureField field;
 };
 
 Solved solve_sphere(const PostureOptions& options) {
-  const TriangleMesh part = shapes::sphere(Vec3::Zero(), 12, 4);
-  VoxelOptions voxels;
+  const mesh::TriangleMesh part = shapes::sphere(Vec3::Zero(), 12, 4);
+  voxel::VoxelOptions voxels;
   voxels.pitch = 1.0;
-  const TriangleBvh bvh(part);
-  VoxelGrid grid = voxelise(box_mesh(Vec3::Constant(-20), Vec3::Constant(20)), part, voxels);
+  const mesh::TriangleBvh bvh(part);
+  voxel::VoxelGrid grid =
+      voxel::voxelise(mesh::box_mesh(Vec3::Constant(-20), Vec3::Constant(20)), part, voxels);
   auto normal = surface_normals(grid, part, bvh, options.crease);
   PostureField field = steady_posture(grid, part, bvh, options);
   return {std::move(grid), std::move(normal), std::move(field)};
@@ -67,8 +68,8 @@ Solved solve_sphere(const PostureOptions& options) {
 TEST(PostureField, NormalsOfATessellatedSphereAreRadial) {
   const Solved s = solve_sphere({});
   double worst = 0.0;
-  shapes::for_each_cell(s.grid.table, [&](std::size_t i, const Cell& c) {
-    if (s.grid.kind[i] != VoxelKind::Surface) return;
+  shapes::for_each_cell(s.grid.table, [&](std::size_t i, const voxel::Cell& c) {
+    if (s.grid.kind[i] != voxel::VoxelKind::Surface) return;
     worst = std::max(worst, (s.normal[i] - s.grid.frame.centre(c).normalized()).norm());
   });
   // facets of 6 degrees: a facet's own normal would be off by 0.03 to 0.05
@@ -79,16 +80,16 @@ TEST(PostureField, ObeysTheMaximumPrincipleAndTheSymmetryOfTheSphere) {
   const Solved s = solve_sphere({});
   ASSERT_TRUE(s.field.outcome.converged);
   const double limit = Angle::degrees(70).radians() + 1e-6;
-  const BrickTable& table = s.grid.table;
-  shapes::for_each_cell(table, [&](std::size_t i, const Cell& c) {
+  const voxel::BrickTable& table = s.grid.table;
+  shapes::for_each_cell(table, [&](std::size_t i, const voxel::Cell& c) {
     ASSERT_LE(std::abs(s.field.value[0][i]), limit);
     ASSERT_LE(std::abs(s.field.value[1][i]), limit);
-    if (s.grid.kind[i] == VoxelKind::Exterior) {
+    if (s.grid.kind[i] == voxel::VoxelKind::Exterior) {
       ASSERT_EQ(s.field.value[0][i], 0.0F);
     }
-    if (s.grid.kind[i] != VoxelKind::Removal) return;
-    const std::int64_t mirror = cell_index(table, Cell(39 - c.x(), c.y(), c.z()));
-    const std::int64_t swapped = cell_index(table, Cell(c.y(), c.x(), c.z()));
+    if (s.grid.kind[i] != voxel::VoxelKind::Removal) return;
+    const std::int64_t mirror = voxel::cell_index(table, voxel::Cell(39 - c.x(), c.y(), c.z()));
+    const std::int64_t swapped = voxel::cell_index(table, voxel::Cell(c.y(), c.x(), c.z()));
     ASSERT_NEAR(s.field.value[1][i], -s.field.value[1][mirror], 2e-5);
     ASSERT_NEAR(s.field.value[0][i], s.field.value[0][mirror], 2e-5);
     ASSERT_NEAR(s.field.value[1][i], -s.field.value[0][swapped], 2e-5);
@@ -100,8 +101,8 @@ TEST(PostureField, UnitVectorFormTurnsTheSameWay) {
   vector.form = PostureForm::UnitVector;
   const Solved a = solve_sphere({}), v = solve_sphere(vector);
   ASSERT_EQ(v.field.value.size(), 3u);
-  shapes::for_each_cell(a.grid.table, [&](std::size_t i, const Cell&) {
-    if (a.grid.kind[i] == VoxelKind::Air || a.grid.kind[i] == VoxelKind::Part) return;
+  shapes::for_each_cell(a.grid.table, [&](std::size_t i, const voxel::Cell&) {
+    if (a.grid.kind[i] == voxel::VoxelKind::Air || a.grid.kind[i] == voxel::VoxelKind::Part) return;
     const Vec3 t(v.field.value[0][i], v.field.value[1][i], v.field.value[2][i]);
     const Vec3 u =
         posture_axis({Angle::radians(a.field.value[0][i]), Angle::radians(a.field.value[1][i])});
@@ -116,20 +117,21 @@ TEST(PostureField, FreeExteriorTakesThePostureOfTheSurface) {
   // whole volume above that face ends at its posture
   PostureOptions options;
   options.exterior = ExteriorRule::Free;
-  const TriangleMesh part = shapes::block_with_top(40, 40, 8, [](double u, double v) {
+  const mesh::TriangleMesh part = shapes::block_with_top(40, 40, 8, [](double u, double v) {
     return Vec3(40 * u, 40 * v, 6 + 40 * u / std::sqrt(3));
   });
-  VoxelOptions voxels;
+  voxel::VoxelOptions voxels;
   voxels.pitch = 2.0;
-  const TriangleBvh bvh(part);
-  const VoxelGrid grid = voxelise(box_mesh(Vec3::Zero(), Vec3(40, 40, 40)), part, voxels);
+  const mesh::TriangleBvh bvh(part);
+  const voxel::VoxelGrid grid =
+      voxel::voxelise(mesh::box_mesh(Vec3::Zero(), Vec3(40, 40, 40)), part, voxels);
   const PostureField field = steady_posture(grid, part, bvh, options);
   ASSERT_TRUE(field.outcome.converged);
-  const std::int64_t mid = cell_index(grid.table, Cell(10, 10, 14));
+  const std::int64_t mid = voxel::cell_index(grid.table, voxel::Cell(10, 10, 14));
   EXPECT_NEAR(Angle::radians(field.value[1][mid]).degrees(), -30.0, 4.0);
   const PostureField held = steady_posture(grid, part, bvh, {});
   EXPECT_GT(Angle::radians(held.value[1][mid]).degrees(), -29.0);
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -14,17 +14,17 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 struct Fixture {
-  TriangleMesh part = shapes::convex_part(20);
-  TriangleBvh bvh{part};
+  mesh::TriangleMesh part = shapes::convex_part(20);
+  mesh::TriangleBvh bvh{part};
   VoxelModel model;
   Fixture() {
-    VoxelOptions options;
+    voxel::VoxelOptions options;
     options.pitch = 2.0;
-    model.grid = voxelise(box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), part, options);
+    model.grid = voxel::voxelise(mesh::box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), part, options);
     model.posture = steady_posture(model.grid, part, bvh);
     for (std::size_t i = 0; i < model.grid.kind.size(); ++i) model.material.push_back(i % 3);
   }
@@ -97,16 +97,16 @@ TEST(FieldView, SectionHoldsTheFieldsOfItsLayer) {
   const auto axes = axes_on(s, *f.model.posture);
   int with = 0;
   for (std::size_t i = 0; i < s.kind.size(); ++i) {
-    const bool none = s.kind[i] == VoxelKind::Air || s.kind[i] == VoxelKind::Part;
+    const bool none = s.kind[i] == voxel::VoxelKind::Air || s.kind[i] == voxel::VoxelKind::Part;
     EXPECT_EQ(none, std::isnan(along_x[i]));
     EXPECT_EQ(none, std::isnan(axes[i].x()));
     if (none) continue;
     ++with;
     EXPECT_NEAR(axes[i].norm(), 1.0, 1e-6);
-    if (s.kind[i] == VoxelKind::Surface) {
+    if (s.kind[i] == voxel::VoxelKind::Surface) {
       EXPECT_EQ(along_x[i], 5.0);
     }
-    if (s.kind[i] == VoxelKind::Exterior) {
+    if (s.kind[i] == voxel::VoxelKind::Exterior) {
       EXPECT_EQ(along_x[i], 10.0);
     }
   }
@@ -118,25 +118,25 @@ TEST(FieldView, SectionHoldsTheFieldsOfItsLayer) {
 TEST(FieldView, ArrowsAndDistances) {
   const Fixture f;
   const auto all = arrows_of(f.model.grid, *f.model.posture, 1);
-  const auto count = count_kinds(f.model.grid);
+  const auto count = voxel::count_kinds(f.model.grid);
   EXPECT_EQ(std::int64_t(all.size()), count[2] + count[3] + count[4]);
   const auto some = arrows_of(f.model.grid, *f.model.posture, 3);
   std::size_t wanted = 0;
-  shapes::for_each_cell(f.model.grid.table, [&](std::size_t i, const Cell& c) {
+  shapes::for_each_cell(f.model.grid.table, [&](std::size_t i, const voxel::Cell& c) {
     const bool third = c.x() % 3 == 0 && c.y() % 3 == 0 && c.z() % 3 == 0;
     wanted += third && static_cast<int>(f.model.grid.kind[i]) >= 2 ? 1 : 0;
   });
   EXPECT_EQ(some.size(), wanted);
   const auto distance = distance_to_part(f.model.grid, f.bvh);
   for (std::size_t i = 0; i < distance.size(); ++i) {
-    if (f.model.grid.kind[i] == VoxelKind::Surface) {
+    if (f.model.grid.kind[i] == voxel::VoxelKind::Surface) {
       EXPECT_LE(distance[i], std::sqrt(3.0) + 1e-6);
     }  // half the diagonal of 2 mm
-    if (f.model.grid.kind[i] == VoxelKind::Removal) {
+    if (f.model.grid.kind[i] == voxel::VoxelKind::Removal) {
       EXPECT_GE(distance[i], 1.0 - 1e-6);
     }
   }
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::dcm

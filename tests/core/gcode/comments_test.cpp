@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 const std::string kBegin = "M6 T1\nM3 S600\nG0 X0 Y0 Z20\nG0 X1 Y0 Z20\nG1 X0 F10\n";
@@ -63,4 +63,4 @@ TEST(Comments, ActiveCommentsAreMadeHarmless) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -1,10 +1,10 @@
 // Every control's table: what the writer puts down is what the reader finds, word by word; what one of them does
 // not know, neither does the other. Words and numbers as the controls' public documentation has them.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/controls/control.h"
 #include "patchmill/gcode/gcode_reader.h"
 #include "patchmill/gcode/program_writer.h"
+#include "patchmill/geometry/error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 const BallEndMill kTool{1.0, 2};
@@ -289,4 +289,4 @@ TEST(Controls, AreFoundByName) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/gcode_reader.h"
 
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/freecad_text.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 const BallEndMill kTool{1.0, 2};
@@ -164,4 +164,4 @@ TEST(FreecadText, RefusesAPathThatIsNotOfConstantFeed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::gcode

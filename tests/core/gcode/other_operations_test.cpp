@@ -1,10 +1,10 @@
 // Arcs, drilling cycles, relative moves and what one operation leaves to the next, for every control: where the
 // tool goes and how long it takes, against closed forms.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/gcode_motion.h"
 #include "patchmill/gcode/gcode_reader.h"
 #include "patchmill/gcode/program_writer.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 #include <random>
@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 const BallEndMill kTool{1.0, 2};
@@ -248,4 +248,4 @@ TEST(OtherOperations, HeidenhainGetsItsBlankAndFanucItsNumber) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/program_writer.h"
 
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/gcode_reader.h"
 #include "patchmill/gcode/program_text.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 #include <random>
@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 const BallEndMill kTool{1.0, 2};
@@ -205,4 +205,4 @@ TEST(ProgramWriter, FixedNumbers) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/rs274_text.h"
 
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/gcode_reader.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 const Decimals kDecimals(4);
 
-MotionModel machine() {
-  MotionModel model;
+machine::MotionModel machine() {
+  machine::MotionModel model;
   model.velocity = 100.0;
   model.acceleration = 2000.0;
   model.spindle_lock = true;
@@ -72,7 +72,8 @@ TEST(Rs274Text, KWordsMakeUpForRoundings) {
     pitches.push_back((path.moves[i].end.tip - from).norm() / back.moves[i + 1].turns);
     from = path.moves[i].end.tip;
   }
-  const std::vector<double> turns = locked_turns(path, corners(path, machine()), pitches);
+  const std::vector<double> turns =
+      machine::locked_turns(path, machine::corners(path, machine()), pitches);
   for (std::size_t i = 0; i < turns.size(); ++i) EXPECT_NEAR(turns[i], path.moves[i].turns, 1e-6);
 }
 
@@ -93,4 +94,4 @@ TEST(Rs274Text, RefusesAMoveOfUnknownTime) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::gcode

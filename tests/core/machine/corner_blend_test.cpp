@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 MotionModel machine() {
@@ -117,4 +117,4 @@ TEST(PostedTolerances, GiveEachCornerItsOwn) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::machine

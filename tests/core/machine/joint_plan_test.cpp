@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 Kinematics table_ac(double lowest_a, double highest_a, double limit_c) {
@@ -229,4 +229,4 @@ TEST(JointPlan, WhatCannotBeHadIsNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::machine

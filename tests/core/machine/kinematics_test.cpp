@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/machine/kinematics.h"
 
-#include "patchmill/geometry/error.h"
 #include "machines.h"
+#include "patchmill/geometry/error.h"
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 constexpr int kAxes = 20000;
@@ -194,4 +194,4 @@ TEST(Kinematics, BadMachinesAreNamedByTheirPlace) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::machine

@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace patchmill {
+namespace patchmill::machine {
 
 struct NamedMachine {
   const char* name;
@@ -63,4 +63,4 @@ inline Vec3 random_axis(std::mt19937& generator) {
   return v.normalized();
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 // Rest to rest by brute force: in small steps, jerk +j while braking in time is still possible. The
@@ -110,4 +110,4 @@ TEST(MotionModel, BadValuesAreNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::machine

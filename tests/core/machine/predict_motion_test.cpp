@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 MotionModel machine(double period = 1e-3) {
@@ -128,4 +128,4 @@ TEST(Predict, DoesNotCareWhichAxisIsWhich) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::machine

@@ -40,17 +40,17 @@ struct MarkMaker {
   }
 
   /// Flute 0 at the contact point at every dimple: azimuth of -n about the axis.
-  MotionOptions locked(std::size_t dimples) const {
-    MotionOptions options;
-    const Vec3 x = default_housing_x(axis), y = axis.cross(x);
+  marks::MotionOptions locked(std::size_t dimples) const {
+    marks::MotionOptions options;
+    const Vec3 x = marks::default_housing_x(axis), y = axis.cross(x);
     const Angle at = Angle::radians(std::atan2(-y.z(), -x.z()));
     options.wanted_phase.assign(dimples, at);
     return options;
   }
 };
 
-inline TexturePlane plane_z0() {
-  TexturePlane plane;
+inline patch::TexturePlane plane_z0() {
+  patch::TexturePlane plane;
   plane.direction = -Vec3::UnitZ();
   return plane;
 }
@@ -64,11 +64,11 @@ std::vector<Vec2> rows_of_places(int columns, int rows, double f, double p, Shif
   return places;
 }
 
-inline SimulatedRelief mark(const MarkMaker& maker, const std::vector<Vec2>& places,
-                            const SurfaceGrid& grid, double stock) {
+inline marks::SimulatedRelief mark(const MarkMaker& maker, const std::vector<Vec2>& places,
+                                   const marks::SurfaceGrid& grid, double stock) {
   const ToolPath path = maker.path(places);
-  return simulate_marks(motion_of(path, maker.locked(places.size())), {path.tool, {}, {}}, grid,
-                        {stock});
+  return marks::simulate_marks(marks::motion_of(path, maker.locked(places.size())),
+                               {path.tool, {}, {}}, grid, {stock});
 }
 
 }  // namespace patchmill::test

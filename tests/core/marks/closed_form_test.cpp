@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 using test::MarkMaker;
@@ -125,4 +125,4 @@ TEST(ClosedForm, CapsDoNotDependOnTheToolAxisOrSense) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::marks

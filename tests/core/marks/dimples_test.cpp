@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 using test::MarkMaker;
@@ -255,4 +255,4 @@ RC_GTEST_PROP(PlaceIndex, FindsTheNearestAsTryingAllDoes, (std::vector<std::uint
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 using test::SweptEdge;
@@ -211,4 +211,4 @@ TEST(Reference, RecordedMotion) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::marks

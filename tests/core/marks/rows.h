@@ -39,9 +39,9 @@ struct RowMaker {
     return out;
   }
 
-  SurfaceGrid grid(double step) const {
-    return flat_grid(plane_z0(), {0.0, -0.2},
-                     {marks * feed_per_tooth - 0.5, (rows - 1) * cross_feed + 0.2}, step);
+  marks::SurfaceGrid grid(double step) const {
+    return marks::flat_grid(plane_z0(), {0.0, -0.2},
+                            {marks * feed_per_tooth - 0.5, (rows - 1) * cross_feed + 0.2}, step);
   }
 };
 

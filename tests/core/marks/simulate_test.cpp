@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 using test::MarkMaker;
@@ -224,4 +224,4 @@ TEST(Motion, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -37,7 +37,8 @@ struct SweptEdge {
   }
 
   /// Lowers `height` of a flat grid at z = 0 by the sweep of all flutes from time 0 to 1.
-  void mill(const std::function<ToolAt(double)>& motion, double most_kappa, Relief& relief) const {
+  void mill(const std::function<ToolAt(double)>& motion, double most_kappa,
+            marks::Relief& relief) const {
     std::vector<Vec3> before, now;
     for (int flute = 0; flute < flutes; ++flute)
       for (int i = 0; i <= time_steps; ++i) {
@@ -56,9 +57,9 @@ struct SweptEdge {
   }
 
  private:
-  static void triangle(const Vec3& a, const Vec3& b, const Vec3& c, Relief& relief) {
+  static void triangle(const Vec3& a, const Vec3& b, const Vec3& c, marks::Relief& relief) {
     if (std::min({a.z(), b.z(), c.z()}) > relief.stock) return;
-    const SurfaceGrid& grid = relief.grid;
+    const marks::SurfaceGrid& grid = relief.grid;
     const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
     const auto index = [&](double x, int axis) { return (x - grid.first[axis]) / grid.step; };
     const double area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());

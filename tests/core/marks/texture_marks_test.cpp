@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 struct Array {
@@ -66,7 +66,7 @@ TEST(TextureMarks, PatchPlanesAreTheBaseOfPlanarPatches) {
   Array a;
   const double tilt = 0.15;
   const Eigen::AngleAxisd turn(tilt, Vec3::UnitY());
-  Dimples dimples;
+  patch::Dimples dimples;
   for (const Vec2& p : a.places)
     dimples.push_back({{turn * Vec3(p.x(), p.y(), 0.0), turn * Vec3::UnitZ()}, {}, 0});
   ToolPath path = a.path;
@@ -111,7 +111,7 @@ TEST(TextureMarks, AWindowTakesTheMarksThatBelongToIt) {
 
 TEST(MachineMotion, StopsTakeTurnsAndTheStartPhaseTakesTheMeanAway) {
   Array a;
-  const MotionModel model{100.0, 500.0, kNoJerkLimit, 1e-3, 0.0, false};
+  const machine::MotionModel model{100.0, 500.0, machine::kNoJerkLimit, 1e-3, 0.0, false};
   const MachinePath moved = path_on_machine(a.path, model);
   ASSERT_TRUE(moved.known);
   double dwells = 0.0, taken = 0.0;
@@ -124,7 +124,8 @@ TEST(MachineMotion, StopsTakeTurnsAndTheStartPhaseTakesTheMeanAway) {
   }
   EXPECT_GT(dwells, 1.0);
   double last = 0.0;
-  for (const Passing& passing : predict(a.path, model).ends) last = std::max(last, passing.turns);
+  for (const machine::Passing& passing : machine::predict(a.path, model).ends)
+    last = std::max(last, passing.turns);
   EXPECT_NEAR(taken, last + dwells, 1e-9);
 
   // one dimple every whole turn, each asked for 0.1 rad late: the start phase takes it all
@@ -139,4 +140,4 @@ TEST(MachineMotion, StopsTakeTurnsAndTheStartPhaseTakesTheMeanAway) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::marks

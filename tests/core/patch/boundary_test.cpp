@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 using namespace analytic;
@@ -175,4 +175,4 @@ TEST(Mask, DepthIsLinearInTheMask) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::patch

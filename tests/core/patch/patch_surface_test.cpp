@@ -12,7 +12,7 @@
 #include <rapidcheck/gtest.h>
 #include <tbb/global_control.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 using namespace analytic;
@@ -238,4 +238,4 @@ TEST(Planar, SteepPlanesAreNoFacets) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 double uniform(double lo, double hi) {
@@ -237,4 +237,4 @@ RC_GTEST_PROP(Ridge, CoveringRadiusIsTheFurthestPointOfTheCell, ()) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::patch

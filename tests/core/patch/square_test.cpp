@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 RC_GTEST_PROP(SquareHelix, VisitsEachPointOnceInUnitSteps, ()) {
@@ -34,4 +34,4 @@ TEST(SquareHelix, LoopsShrinkByEight) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::patch

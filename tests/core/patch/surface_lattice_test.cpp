@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 using namespace analytic;
@@ -275,4 +275,4 @@ TEST(OnSurface, CancelGivesNothingAndBadInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// The control points [mm]: rows u as printed, row 0 is the side of greatest Y; columns v go along X.
 inline constexpr double kTable1[4][4][3] = {
@@ -75,4 +75,4 @@ inline Dimples table1_dimples_from(const Vec2& first, int side, int patches_x, i
   return table1_dimples(side, patches_x, patches_y, spacing, shift);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

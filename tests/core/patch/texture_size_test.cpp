@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 double uniform(double lo, double hi) {
@@ -123,4 +123,4 @@ TEST(TextureSize, ContradictionsAreNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 constexpr PatchShape kShapes[] = {PatchShape::Square, PatchShape::Hexagon, PatchShape::Triangle};
@@ -248,4 +248,4 @@ TEST(PatchDivision, BadInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -6,7 +6,7 @@
 
 #include "patchmill/patch/cover.h"
 
-namespace patchmill {
+namespace patchmill::sync {
 
 struct BallSurface {
   double radius = 30.0;  ///< > 0: bump, < 0: bowl [mm]
@@ -21,13 +21,14 @@ struct BallSurface {
 
 /// Helical patches of side x side dimples on `surface`, spaced 0.5 mm; (x, y) the first one's place
 /// from the sphere's centre.
-inline Dimples dimples_on(const BallSurface& surface, double x, double y, int side,
-                          int patches_x = 1, int patches_y = 1) {
-  const PatchDivision division = patch_block({PatchShape::Square, 0.5, side}, patches_x, patches_y);
-  Dimples dimples = lattice_points(division);
-  const Vec2 first = place(division, dimples.front().lattice);
-  for (Dimple& dimple : dimples) {
-    const Vec2 at = place(division, dimple.lattice) - first + Vec2(x, y);
+inline patch::Dimples dimples_on(const BallSurface& surface, double x, double y, int side,
+                                 int patches_x = 1, int patches_y = 1) {
+  const patch::PatchDivision division =
+      patch::patch_block({patch::PatchShape::Square, 0.5, side}, patches_x, patches_y);
+  patch::Dimples dimples = patch::lattice_points(division);
+  const Vec2 first = patch::place(division, dimples.front().lattice);
+  for (patch::Dimple& dimple : dimples) {
+    const Vec2 at = patch::place(division, dimple.lattice) - first + Vec2(x, y);
     const double height = std::sqrt(surface.radius * surface.radius - at.squaredNorm());
     const Vec3 radial(at.x(), at.y(), surface.radius > 0.0 ? height : -height);
     dimple.surface.position = surface.centre + radial;
@@ -36,4 +37,4 @@ inline Dimples dimples_on(const BallSurface& surface, double x, double y, int si
   return dimples;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -4,17 +4,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/sync/constant_feed.h"
 
+#include "patch/table1_surface.h"
 #include "patchmill/geometry/error.h"
 #include "patchmill/sync/contact_azimuth.h"
 #include "patchmill/sync/fit_length.h"
 #include "patchmill/sync/link.h"
 #include "patchmill/sync/phase_error.h"
-#include "patch/table1_surface.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 const BallEndMill kTool{1.0, 2};
@@ -24,16 +24,16 @@ ConstantFeed paper_rule(Angle step = {}) {
   return {434.413 / 60.0, {FluteChoice::Same, 5.0, step}, 40.0, 42.0};
 }
 
-const Dimples& whole_surface() {
-  static const Dimples dimples = [] {
-    Dimples d = table1_dimples(14, 8, 8);
+const patch::Dimples& whole_surface() {
+  static const patch::Dimples dimples = [] {
+    patch::Dimples d = patch::table1_dimples(14, 8, 8);
     mark_tool_tip(d, Vec3::UnitZ(), Angle::degrees(1));
     return d;
   }();
   return dimples;
 }
 
-std::vector<PhaseError> errors_of(const ToolPath& path, const Dimples& dimples,
+std::vector<PhaseError> errors_of(const ToolPath& path, const patch::Dimples& dimples,
                                   const ConstantFeed& rule) {
   return phase_errors(path, wanted_phases(dimples, rule.phase, path.spindle),
                       phase_period(path.tool.flutes, rule.phase.flutes));
@@ -115,8 +115,8 @@ TEST(ConstantFeed, WithoutTheCarryTheErrorGrows) {
 
 TEST(ConstantFeed, M3AndM4AreMirrored) {
   // the surface mirrored in the XZ plane, milled with M4, is the mirror image of the other
-  Dimples dimples = table1_dimples(6, 1, 1), mirrored = dimples;
-  for (Dimple& d : mirrored) {
+  patch::Dimples dimples = patch::table1_dimples(6, 1, 1), mirrored = dimples;
+  for (patch::Dimple& d : mirrored) {
     d.surface.position.y() *= -1.0;
     d.surface.normal.y() *= -1.0;
   }
@@ -141,7 +141,7 @@ TEST(ConstantFeed, M3AndM4AreMirrored) {
 
 TEST(ConstantFeed, PositionsLieOnTheDecimals) {
   const ToolPath path =
-      constant_feed_path(table1_dimples(4, 2, 2), kTool, kM3, paper_rule(), Decimals(3));
+      constant_feed_path(patch::table1_dimples(4, 2, 2), kTool, kM3, paper_rule(), Decimals(3));
   for (const Move& move : path.moves)
     EXPECT_NEAR((move.end.tip * 1000.0 - (move.end.tip * 1000.0).array().round().matrix()).norm(),
                 0.0, 1e-8);
@@ -149,7 +149,7 @@ TEST(ConstantFeed, PositionsLieOnTheDecimals) {
 
 TEST(ConstantFeed, LinksAreAtSafeHeight) {
   const ToolPath path =
-      constant_feed_path(table1_dimples(4, 3, 3), kTool, kM3, paper_rule(), Decimals(3));
+      constant_feed_path(patch::table1_dimples(4, 3, 3), kTool, kM3, paper_rule(), Decimals(3));
   int traverses = 0;
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
     const Vec3 &a = path.moves[i - 1].end.tip, &b = path.moves[i].end.tip;
@@ -176,9 +176,9 @@ RC_GTEST_PROP(LinkCorners, KeepThePhaseToAHundredthOfAUnit, ()) {
 }
 
 TEST(ConstantFeed, ErrorsNameThePropertyAndTheRemedy) {
-  const Dimples dimples = table1_dimples(4, 1, 1);
+  const patch::Dimples dimples = patch::table1_dimples(4, 1, 1);
   auto property = [&](const BallEndMill& tool, const Spindle& spindle, ConstantFeed rule,
-                      const Dimples& d) -> std::string {
+                      const patch::Dimples& d) -> std::string {
     try {
       constant_feed_path(d, tool, spindle, rule, Decimals(3));
     } catch (const InputError& e) {
@@ -205,10 +205,10 @@ TEST(ConstantFeed, ErrorsNameThePropertyAndTheRemedy) {
   rule = paper_rule();
   rule.phase.extra_turns = 4.75;
   EXPECT_EQ(property(kTool, kM3, rule, dimples), "ExtraTurns");
-  Dimples none = dimples;
-  for (Dimple& d : none) d.state = DimpleState::OffFace;
+  patch::Dimples none = dimples;
+  for (patch::Dimple& d : none) d.state = patch::DimpleState::OffFace;
   EXPECT_EQ(property(kTool, kM3, paper_rule(), none), "Dimples");
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::sync

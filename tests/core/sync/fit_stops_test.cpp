@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 const BallEndMill kTool{1.0, 2};
@@ -21,15 +21,15 @@ const Spindle kSpindle{1000.0 / 60.0, SpindleSense::M3};
 const Decimals kDecimals(4);
 const Angle kPeriod = Angle::degrees(180);
 
-MotionModel machine(double acceleration) {
-  MotionModel model;
+machine::MotionModel machine(double acceleration) {
+  machine::MotionModel model;
   model.velocity = 100.0;
   model.acceleration = acceleration;
   return model;
 }
 
 struct Zigzag {
-  Dimples dimples;
+  patch::Dimples dimples;
   ConstantFeed rule;
   ToolPath path;
 
@@ -42,10 +42,10 @@ struct Zigzag {
     path = constant_feed_path(dimples, kTool, kSpindle, rule, kDecimals);
   }
   double feed() const { return posted_feed(rule.feed, kDecimals); }
-  StopFit fitted(const MotionModel& model) const {
+  StopFit fitted(const machine::MotionModel& model) const {
     return fit_to_stops(path, model, feed(), kPeriod.turns(), kDecimals);
   }
-  PredictedPhase phase(const ToolPath& of, const MotionModel& model) const {
+  PredictedPhase phase(const ToolPath& of, const machine::MotionModel& model) const {
     return predicted_phase(of, model, wanted_phases(dimples, rule.phase, kSpindle), kPeriod);
   }
 };
@@ -53,7 +53,7 @@ struct Zigzag {
 // A period of 1 ms is 6 degrees of spindle: nobody can do better than half of it, at random.
 RC_GTEST_PROP(FitStops, BringsEveryDimpleToItsPeriod, (unsigned a, unsigned n)) {
   const Zigzag zigzag(2 + n % 4);
-  const MotionModel model = machine(500.0 + 50.0 * (a % 150));
+  const machine::MotionModel model = machine(500.0 + 50.0 * (a % 150));
   const StopFit fit = zigzag.fitted(model);
   const PredictedPhase phase = zigzag.phase(fit.path, model);
   RC_ASSERT(phase.known);
@@ -65,7 +65,7 @@ RC_GTEST_PROP(FitStops, BringsEveryDimpleToItsPeriod, (unsigned a, unsigned n)) 
 TEST(FitStops, HoldsWhereThePlainZigzagIsLost) {
   const Zigzag zigzag(10);
   for (const double acceleration : {500.0, 2000.0, 10000.0}) {
-    const MotionModel model = machine(acceleration);
+    const machine::MotionModel model = machine(acceleration);
     EXPECT_GT(zigzag.phase(zigzag.path, model).rms.degrees(), 30.0);
     EXPECT_LT(zigzag.phase(zigzag.fitted(model).path, model).rms.degrees(), 4.0);
   }
@@ -96,7 +96,7 @@ TEST(FitStops, KeepsDimplesFeedAndOrder) {
 
 TEST(FitStops, RefusesWhatItCannotKnow) {
   const Zigzag zigzag(2);
-  const auto refused = [&zigzag](const MotionModel& model, const ToolPath& path) {
+  const auto refused = [&zigzag](const machine::MotionModel& model, const ToolPath& path) {
     try {
       fit_to_stops(path, model, zigzag.feed(), 0.5, kDecimals);
     } catch (const InputError& error) {
@@ -104,7 +104,7 @@ TEST(FitStops, RefusesWhatItCannotKnow) {
     }
     return std::string();
   };
-  MotionModel model = machine(2000.0);
+  machine::MotionModel model = machine(2000.0);
   EXPECT_EQ(refused(model, zigzag.path), "");
   model.tolerance = 0.01;
   EXPECT_EQ(refused(model, zigzag.path), "PathTolerance");
@@ -119,12 +119,12 @@ TEST(FitStops, RefusesWhatItCannotKnow) {
 TEST(SampledStop, IsTheClosedFormRoundedUpAndAFewPeriods) {
   for (const double length : {0.02, 0.3, 1.086, 7.0})
     for (const double acceleration : {500.0, 2000.0, 10000.0}) {
-      const double exact = stop_to_stop_time(length, 7.24, acceleration);
-      const double sampled = sampled_stop_time(length, 7.24, acceleration, 1e-3);
+      const double exact = machine::stop_to_stop_time(length, 7.24, acceleration);
+      const double sampled = machine::sampled_stop_time(length, 7.24, acceleration, 1e-3);
       EXPECT_GE(sampled, exact - 1e-9);
       EXPECT_LE(sampled, exact + 3e-3);
     }
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
-const TexturePlane kPlane;
+const patch::TexturePlane kPlane;
 
 double uniform(double lo, double hi) {
   return lo + (hi - lo) * *rc::gen::inRange(0, 1 << 30) / (1 << 30);
@@ -24,19 +24,20 @@ double apart(double a, double b) {
   return std::abs(a - b - std::round(a - b));
 }
 
-SurfaceSampler inclined(double slope) {
+patch::SurfaceSampler inclined(double slope) {
   return [slope](const std::vector<Vec2>& places) {
-    std::vector<SurfaceSample> samples;
+    std::vector<patch::SurfaceSample> samples;
     const Vec3 normal = Vec3(-std::sin(slope), 0, std::cos(slope));
     for (const Vec2& p : places)
-      samples.push_back({{{p.x(), p.y(), std::tan(slope) * p.x()}, normal}, DimpleState::Cut});
+      samples.push_back(
+          {{{p.x(), p.y(), std::tan(slope) * p.x()}, normal}, patch::DimpleState::Cut});
     return samples;
   };
 }
 
-SurfaceSampler cylinder(double radius) {
+patch::SurfaceSampler cylinder(double radius) {
   return [radius](const std::vector<Vec2>& places) {
-    std::vector<SurfaceSample> samples;
+    std::vector<patch::SurfaceSample> samples;
     for (const Vec2& p : places) {
       const double z2 = radius * radius - p.y() * p.y();
       if (z2 <= 0.0) {
@@ -44,14 +45,14 @@ SurfaceSampler cylinder(double radius) {
         continue;
       }
       const Vec3 at(p.x(), p.y(), std::sqrt(z2));
-      samples.push_back({{at, Vec3(0, at.y(), at.z()) / radius}, DimpleState::Cut});
+      samples.push_back({{at, Vec3(0, at.y(), at.z()) / radius}, patch::DimpleState::Cut});
     }
     return samples;
   };
 }
 
-FreePatch random_patch() {
-  FreePatch p;
+patch::FreePatch random_patch() {
+  patch::FreePatch p;
   p.corners = *rc::gen::element(3, 4, 6);
   p.side = uniform(3.0, 9.0);
   p.cross_feed = uniform(0.2, 0.8);
@@ -60,16 +61,17 @@ FreePatch random_patch() {
 }
 
 struct Made {
-  PlacedFreeTexture placed;
+  patch::PlacedFreeTexture placed;
   ToolPath path;
 };
 
-Made make(const FreePatch& patch, const SurfaceSampler& sampler, int decimals,
-          HelixOrder order = HelixOrder::Inward, int flutes = 2) {
-  const PatchDivision stands = patch_block(stand_pattern(patch), 2, 2);
-  const LatticePlace place_of = [&](const Vec2& p) { return place(stands, p); };
+Made make(const patch::FreePatch& patch, const patch::SurfaceSampler& sampler, int decimals,
+          patch::HelixOrder order = patch::HelixOrder::Inward, int flutes = 2) {
+  const patch::PatchDivision stands = patch::patch_block(patch::stand_pattern(patch), 2, 2);
+  const patch::LatticePlace place_of = [&](const Vec2& p) { return patch::place(stands, p); };
   Made made;
-  made.placed = *place_free(patch, order, stands, place_of, kPlane, sampler, PlaneFit::BestFit);
+  made.placed =
+      *patch::place_free(patch, order, stands, place_of, kPlane, sampler, patch::PlaneFit::BestFit);
   const Spindle spindle{1000.0 / 60.0, SpindleSense::M3};
   const double feed = patch.feed_per_tooth * flutes * spindle.speed;
   made.path = free_form_path(made.placed.texture, made.placed.dimples, {1.0, flutes}, spindle,
@@ -81,15 +83,15 @@ double worst(const Made& made, int patch) {
   const auto measured = measure_phase(made.path, made.placed.texture, made.placed.dimples, patch);
   EXPECT_FALSE(measured.empty());
   double most = 0.0;
-  for (const MeasuredPhase& m : measured)
-    most = std::max(most,
-                    apart(m.teeth, phase_difference(made.placed.texture.patch, m.lap, m.sector)));
+  for (const patch::MeasuredPhase& m : measured)
+    most = std::max(
+        most, apart(m.teeth, patch::phase_difference(made.placed.texture.patch, m.lap, m.sector)));
   return most;
 }
 
 RC_GTEST_PROP(FreeForm, PhaseDifferenceOfThePathIsThePredictedOne, ()) {
-  const FreePatch patch = random_patch();
-  const auto order = *rc::gen::element(HelixOrder::Inward, HelixOrder::Outward);
+  const patch::FreePatch patch = random_patch();
+  const auto order = *rc::gen::element(patch::HelixOrder::Inward, patch::HelixOrder::Outward);
   const auto sampler = *rc::gen::arbitrary<bool>() ? inclined(uniform(0.05, 1.0)) : cylinder(30.0);
   // so many decimals that rounding does not show
   const Made made = make(patch, sampler, 12, order, *rc::gen::inRange(1, 5));
@@ -103,7 +105,7 @@ RC_GTEST_PROP(FreeForm, RoundedPathsKeepItWithinTheirDecimals, ()) {
 }
 
 RC_GTEST_PROP(FreeForm, SpindleArrivesWithATooth, ()) {
-  const FreePatch patch = random_patch();
+  const patch::FreePatch patch = random_patch();
   const Made made = make(patch, cylinder(30.0), 3);
   const auto errors =
       phase_errors(made.path, wanted_phases(made.placed.dimples, {}, made.path.spindle),
@@ -116,7 +118,7 @@ RC_GTEST_PROP(FreeForm, SpindleArrivesWithATooth, ()) {
 
 TEST(FreeForm, PatchesTileThePlaneTheyLieOn) {
   for (int corners : {3, 4, 6}) {
-    const FreePatch patch{corners, 5.0, 0.5, 0.5};
+    const patch::FreePatch patch{corners, 5.0, 0.5, 0.5};
     const Made made = make(patch, inclined(0.0), 6);
     // patches that share a side have their centres two apothems apart, and none is nearer
     double least = 1e9;
@@ -124,12 +126,12 @@ TEST(FreeForm, PatchesTileThePlaneTheyLieOn) {
     for (std::size_t i = 0; i < frames.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         least = std::min(least, (frames[i].origin - frames[j].origin).norm());
-    EXPECT_NEAR(least, 2.0 * apothem(patch), 1e-9);
+    EXPECT_NEAR(least, 2.0 * patch::apothem(patch), 1e-9);
     // the middles of their shared sides coincide: of the first patch one is a neighbour's too
     int shared = 0;
-    const Polygon outline = free_outline(patch);
+    const patch::Polygon outline = patch::free_outline(patch);
     std::vector<Vec3> middles;
-    for (const FreeFrame& frame : frames)
+    for (const patch::FreeFrame& frame : frames)
       for (std::size_t i = 0; i < outline.size(); ++i)
         middles.push_back(frame.at(0.5 * (outline[i] + outline[(i + 1) % outline.size()])));
     for (std::size_t i = 0; i < middles.size(); ++i)
@@ -140,9 +142,9 @@ TEST(FreeForm, PatchesTileThePlaneTheyLieOn) {
 }
 
 TEST(FreeForm, MarksLeftOutAreLinkedOver) {
-  const FreePatch patch{4, 7.0, 0.5, 0.5};
+  const patch::FreePatch patch{4, 7.0, 0.5, 0.5};
   Made made = make(patch, inclined(0.3), 6);
-  for (std::size_t k = 20; k < 60; ++k) made.placed.dimples[k].state = DimpleState::Masked;
+  for (std::size_t k = 20; k < 60; ++k) made.placed.dimples[k].state = patch::DimpleState::Masked;
   const double feed = patch.feed_per_tooth * 2 * made.path.spindle.speed;
   made.path = free_form_path(made.placed.texture, made.placed.dimples, made.path.tool,
                              made.path.spindle, {feed, {}, 60.0, 61.0}, Decimals(6));
@@ -150,12 +152,13 @@ TEST(FreeForm, MarksLeftOutAreLinkedOver) {
 }
 
 TEST(FreeForm, BadInputIsNamed) {
-  auto property = [](const FreePatch& patch, double feed_factor, PhaseRule rule) -> std::string {
+  auto property = [](const patch::FreePatch& patch, double feed_factor,
+                     PhaseRule rule) -> std::string {
     try {
-      const PatchDivision stands = patch_block(stand_pattern(patch), 1, 1);
-      const LatticePlace place_of = [&](const Vec2& p) { return place(stands, p); };
-      const auto placed = *place_free(patch, HelixOrder::Inward, stands, place_of, kPlane,
-                                      inclined(0.3), PlaneFit::BestFit);
+      const patch::PatchDivision stands = patch::patch_block(patch::stand_pattern(patch), 1, 1);
+      const patch::LatticePlace place_of = [&](const Vec2& p) { return patch::place(stands, p); };
+      const auto placed = *patch::place_free(patch, patch::HelixOrder::Inward, stands, place_of,
+                                             kPlane, inclined(0.3), patch::PlaneFit::BestFit);
       free_form_path(placed.texture, placed.dimples, {1.0, 2}, {10.0, SpindleSense::M3},
                      {feed_factor * patch.feed_per_tooth * 20.0, rule, 60.0, 61.0}, Decimals(3));
     } catch (const InputError& e) {
@@ -163,7 +166,7 @@ TEST(FreeForm, BadInputIsNamed) {
     }
     return "";
   };
-  const FreePatch good{4, 7.0, 0.5, 0.5};
+  const patch::FreePatch good{4, 7.0, 0.5, 0.5};
   EXPECT_EQ(property(good, 1.0, {}), "");
   EXPECT_EQ(property({5, 7.0, 0.5, 0.5}, 1.0, {}), "Corners");
   EXPECT_EQ(property({4, 7.0, 0.0, 0.5}, 1.0, {}), "CrossFeed");
@@ -173,4 +176,4 @@ TEST(FreeForm, BadInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -14,14 +14,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 const BallEndMill kTool{1.0, 2};
 const Decimals kDecimals(4);
 
-MotionModel machine(double acceleration = 2000.0) {
-  MotionModel model;
+machine::MotionModel machine(double acceleration = 2000.0) {
+  machine::MotionModel model;
   model.velocity = 100.0;
   model.acceleration = acceleration;
   model.spindle_lock = true;
@@ -43,7 +43,7 @@ BallSurface surface_of(unsigned seed) {
   return {seed % 2 ? -25.0 : 25.0, Vec3(1.0, -2.0, seed % 2 ? 40.0 : 0.0)};
 }
 
-Dimples random_dimples(unsigned seed, int side, int patches = 1) {
+patch::Dimples random_dimples(unsigned seed, int side, int patches = 1) {
   const double x = 8.0 + 4.0 * (seed / 2 % 7) / 7.0, y = -9.0 + 3.0 * (seed / 14 % 5) / 5.0;
   return dimples_on(surface_of(seed), x, y, side, patches, 1);
 }
@@ -53,10 +53,10 @@ double off_whole(double x, double period) {
 }
 
 RC_GTEST_PROP(PacedPath, VisitsEveryDimpleInWholeTeeth, (unsigned seed, bool m4)) {
-  Dimples dimples = random_dimples(seed, 2 + seed % 5, 1 + seed % 3);
+  patch::Dimples dimples = random_dimples(seed, 2 + seed % 5, 1 + seed % 3);
   // some places are missing
   for (std::size_t k = 3; k < dimples.size(); k += 5 + seed % 11)
-    dimples[k].state = DimpleState::OffFace;
+    dimples[k].state = patch::DimpleState::OffFace;
   const Spindle turning = spindle(m4 ? SpindleSense::M4 : SpindleSense::M3);
   const PacedPath paced = paced_path(dimples, kTool, turning, rule(), machine(), kDecimals);
   std::vector<std::int32_t> visited;
@@ -64,7 +64,7 @@ RC_GTEST_PROP(PacedPath, VisitsEveryDimpleInWholeTeeth, (unsigned seed, bool m4)
   for (const Move& move : paced.path.moves) {
     if (move.kind != MoveKind::Rapid) turns += move.turns;
     if (move.dimple == kNoDimple) continue;
-    const Dimple& dimple = dimples[static_cast<std::size_t>(move.dimple)];
+    const patch::Dimple& dimple = dimples[static_cast<std::size_t>(move.dimple)];
     const Vec3 tip = dimple.surface.position + dimple.surface.normal - Vec3::UnitZ();
     RC_ASSERT((move.end.tip - tip).norm() < 1e-4);
     // s alpha and the spindle go together
@@ -75,7 +75,7 @@ RC_GTEST_PROP(PacedPath, VisitsEveryDimpleInWholeTeeth, (unsigned seed, bool m4)
   }
   std::vector<std::int32_t> cut;
   for (std::size_t k = 0; k < dimples.size(); ++k)
-    if (dimples[k].state == DimpleState::Cut) cut.push_back(static_cast<std::int32_t>(k));
+    if (dimples[k].state == patch::DimpleState::Cut) cut.push_back(static_cast<std::int32_t>(k));
   RC_ASSERT(visited == cut);
 }
 
@@ -83,7 +83,7 @@ RC_GTEST_PROP(PacedPath, VisitsEveryDimpleInWholeTeeth, (unsigned seed, bool m4)
 // d² / 8 rho, roundings and decimals a little more.
 RC_GTEST_PROP(PacedPath, NeverGouges, (unsigned seed)) {
   const BallSurface surface = surface_of(seed);
-  const Dimples dimples = random_dimples(seed, 5, 2);
+  const patch::Dimples dimples = random_dimples(seed, 5, 2);
   const PacedPath paced = paced_path(dimples, kTool, spindle(), rule(), machine(), kDecimals);
   Vec3 from = paced.path.start.tip;
   for (const Move& move : paced.path.moves) {
@@ -98,7 +98,7 @@ RC_GTEST_PROP(PacedPath, NeverGouges, (unsigned seed)) {
 // When a tooth comes by between rows, the ball is off the surface.
 TEST(PacedPath, IsClearWhenATeethComesByBetweenRows) {
   const BallSurface surface = surface_of(0);
-  const Dimples dimples = random_dimples(0, 6);
+  const patch::Dimples dimples = random_dimples(0, 6);
   const PacedPath paced = paced_path(dimples, kTool, spindle(), rule(), machine(), kDecimals);
   EXPECT_GT(paced.clearance, 0.065);  // the ridges' height, f² / 4R
   EXPECT_GT(paced.turnarounds, 5);
@@ -117,7 +117,7 @@ TEST(PacedPath, IsClearWhenATeethComesByBetweenRows) {
           off_whole(turns + i / 40.0 * move.turns + contact_azimuth(normal).turns(), 0.5);
       const Vec3 on = centre - normal;
       double nearest = 1e9;
-      for (const Dimple& dimple : dimples)
+      for (const patch::Dimple& dimple : dimples)
         nearest = std::min(nearest, (dimple.surface.position - on).norm());
       if (off < 0.01 && nearest > 0.1) {
         EXPECT_GT(surface.clearance(centre, 1.0), 0.06) << on.transpose();
@@ -130,12 +130,12 @@ TEST(PacedPath, IsClearWhenATeethComesByBetweenRows) {
 }
 
 TEST(PacedPath, TakesFewTurnsAndHoldsItsPhase) {
-  const Dimples dimples = random_dimples(4, 14);
+  const patch::Dimples dimples = random_dimples(4, 14);
   const std::vector<Angle> wanted = wanted_phases(dimples, rule().phase, spindle());
   // acceleration, turns per dimple at most
   const double cases[][2] = {{500.0, 1.3}, {2000.0, 0.9}, {10000.0, 0.7}};
   for (const auto& [acceleration, limit] : cases) {
-    const MotionModel model = machine(acceleration);
+    const machine::MotionModel model = machine(acceleration);
     const ToolPath path = paced_path(dimples, kTool, spindle(), rule(), model, kDecimals).path;
     const PredictedPhase phase = predicted_phase(path, model, wanted, Angle::degrees(180));
     ASSERT_TRUE(phase.known);
@@ -145,7 +145,7 @@ TEST(PacedPath, TakesFewTurnsAndHoldsItsPhase) {
 }
 
 TEST(PacedPath, LinksGoOverTheSafeHeight) {
-  const Dimples dimples = random_dimples(2, 3, 2);
+  const patch::Dimples dimples = random_dimples(2, 3, 2);
   const PacedPath paced = paced_path(dimples, kTool, spindle(), rule(), machine(), kDecimals);
   double highest = 0.0;
   std::int32_t last = kNoDimple;
@@ -159,11 +159,11 @@ TEST(PacedPath, LinksGoOverTheSafeHeight) {
   }
 }
 
-std::string refused(
-    const std::function<void(Dimples&, PacedRule&, MotionModel&, Spindle&)>& change) {
-  Dimples dimples = random_dimples(0, 3);
+std::string refused(const std::function<void(patch::Dimples&, PacedRule&, machine::MotionModel&,
+                                             Spindle&)>& change) {
+  patch::Dimples dimples = random_dimples(0, 3);
   PacedRule r = rule();
-  MotionModel model = machine();
+  machine::MotionModel model = machine();
   Spindle turning = spindle();
   change(dimples, r, model, turning);
   try {
@@ -175,9 +175,9 @@ std::string refused(
 }
 
 TEST(PacedPath, BadInputIsNamed) {
-  using D = Dimples&;
+  using D = patch::Dimples&;
   using R = PacedRule&;
-  using M = MotionModel&;
+  using M = machine::MotionModel&;
   using S = Spindle&;
   EXPECT_EQ(refused([](D, R, M, S) {}), "");
   EXPECT_EQ(refused([](D, R, M m, S) { m.spindle_lock = false; }), "SpindleLock");
@@ -193,9 +193,11 @@ TEST(PacedPath, BadInputIsNamed) {
 }
 
 TEST(PacedPath, TheSpeedThatARefusalProposesIsAccepted) {
-  EXPECT_EQ(refused([](Dimples&, PacedRule&, MotionModel& m, Spindle&) { m.velocity = 10.0; }),
+  EXPECT_EQ(refused([](patch::Dimples&, PacedRule&, machine::MotionModel& m, Spindle&) {
+              m.velocity = 10.0;
+            }),
             "MaxVelocity");
-  EXPECT_EQ(refused([](Dimples&, PacedRule&, MotionModel& m, Spindle& s) {
+  EXPECT_EQ(refused([](patch::Dimples&, PacedRule&, machine::MotionModel& m, Spindle& s) {
               m.velocity = 10.0;
               s.speed *= 0.4;
             }),
@@ -203,4 +205,4 @@ TEST(PacedPath, TheSpeedThatARefusalProposesIsAccepted) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::sync

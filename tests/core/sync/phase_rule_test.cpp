@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 const BallEndMill kTool{1.0, 2};
@@ -71,9 +71,9 @@ TEST(PhaseRule, EqualAzimuthsNeedNoTurnWhateverTheRounding) {
 }
 
 TEST(PhaseRule, CalibrationStepAddsUp) {
-  Dimples dimples(4);
-  for (Dimple& d : dimples) d.surface.normal = Vec3(-1, 0, 1).normalized();
-  dimples[1].state = DimpleState::ToolTip;
+  patch::Dimples dimples(4);
+  for (patch::Dimple& d : dimples) d.surface.normal = Vec3(-1, 0, 1).normalized();
+  dimples[1].state = patch::DimpleState::ToolTip;
   const PhaseRule rule{FluteChoice::Same, 5.0, Angle::degrees(1)};
   const auto wanted = wanted_phases(dimples, rule, {1, SpindleSense::M4});
   EXPECT_NEAR(wanted[0].degrees(), 0.0, 1e-12);
@@ -83,16 +83,16 @@ TEST(PhaseRule, CalibrationStepAddsUp) {
 }
 
 TEST(ToolTip, IsMarkedWithinTheLimit) {
-  Dimples dimples(3);
+  patch::Dimples dimples(3);
   dimples[0].surface.normal = Vec3::UnitZ();
   dimples[1].surface.normal = Vec3(std::sin(0.05), 0, std::cos(0.05));
   dimples[2].surface.normal = -Vec3::UnitZ();
   mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
-  EXPECT_EQ(dimples[0].state, DimpleState::ToolTip);
-  EXPECT_EQ(dimples[1].state, DimpleState::Cut);
-  EXPECT_EQ(dimples[2].state, DimpleState::ToolTip);
+  EXPECT_EQ(dimples[0].state, patch::DimpleState::ToolTip);
+  EXPECT_EQ(dimples[1].state, patch::DimpleState::Cut);
+  EXPECT_EQ(dimples[2].state, patch::DimpleState::ToolTip);
   EXPECT_THROW(mark_tool_tip(dimples, Vec3::UnitZ(), Angle()), InputError);
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::sync

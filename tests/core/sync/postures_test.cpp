@@ -4,17 +4,17 @@
 #include "patchmill/sync/postures.h"
 
 #include "../machine/machines.h"
-#include "patchmill/geometry/error.h"
+#include "patch/table1_surface.h"
 #include "patchmill/gcode/programmed_path.h"
+#include "patchmill/geometry/error.h"
 #include "patchmill/sync/constant_feed.h"
 #include "patchmill/sync/paced_path.h"
 #include "patchmill/sync/phase_error.h"
 #include "patchmill/sync/tool_axis.h"
-#include "patch/table1_surface.h"
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 const Decimals kDecimals(4);
@@ -22,11 +22,11 @@ const BallEndMill kTool{1.0, 2};
 const Spindle kSpindle{1000.0 / 60.0, SpindleSense::M3};
 
 struct Case {
-  Dimples dimples = table1_dimples(14, 1, 1);
+  patch::Dimples dimples = patch::table1_dimples(14, 1, 1);
   Postures postures;
-  Kinematics machine;
+  machine::Kinematics machine;
 
-  explicit Case(const Kinematics& m) : machine(m) {
+  explicit Case(const machine::Kinematics& m) : machine(m) {
     ToolAxisRule rule;
     rule.mode = ToolAxisMode::Normal;
     rule.lead = Angle::degrees(15.0);
@@ -47,9 +47,9 @@ struct Case {
   }
 };
 
-std::vector<NamedMachine> tilting_machines() {
-  std::vector<NamedMachine> out;
-  for (const NamedMachine& m : machines_of_every_kind())
+std::vector<machine::NamedMachine> tilting_machines() {
+  std::vector<machine::NamedMachine> out;
+  for (const machine::NamedMachine& m : machine::machines_of_every_kind())
     if (std::string(m.name) != "skew axes") out.push_back(m);
   return out;
 }
@@ -57,20 +57,22 @@ std::vector<NamedMachine> tilting_machines() {
 TEST(Postures, TheBallMeetsEachDimpleAndThePhaseCountsTheTable) {
   for (const auto& [name, machine] : tilting_machines()) {
     const Case c(machine);
-    const PosturePath path = with_postures(c.constant_feed(), c.postures, machine, kDecimals);
+    const machine::PosturePath path =
+        with_postures(c.constant_feed(), c.postures, machine, kDecimals);
     double turns = 0.0, first_turns = 0.0, first_azimuth = 0.0;
     bool any = false;
     for (std::size_t i = 0; i < path.path.moves.size(); ++i) {
       const Move& move = path.path.moves[i];
       if (!std::isnan(move.turns)) turns += move.turns;
       if (move.dimple == kNoDimple) continue;
-      const SurfacePoint& s = c.dimples[static_cast<std::size_t>(move.dimple)].surface;
+      const patch::SurfacePoint& s = c.dimples[static_cast<std::size_t>(move.dimple)].surface;
       EXPECT_LT((ball_centre(move.end, kTool.radius) - (s.position + s.normal)).norm(), 1e-4)
           << name;
-      EXPECT_LT(Angle::between(move.end.axis, tool_axis(machine, path.joints[i + 1])).radians(),
-                1e-12);
+      EXPECT_LT(
+          Angle::between(move.end.axis, machine::tool_axis(machine, path.joints[i + 1])).radians(),
+          1e-12);
       // seen from the housing, which does not turn: the rotary axes have turned the normal
-      const Vec3 n = housing_to_work(machine, path.joints[i + 1]).transpose() * s.normal;
+      const Vec3 n = machine::housing_to_work(machine, path.joints[i + 1]).transpose() * s.normal;
       const double azimuth = std::atan2(-n.y(), -n.x());
       if (!any) {
         any = true;
@@ -87,8 +89,8 @@ TEST(Postures, TheBallMeetsEachDimpleAndThePhaseCountsTheTable) {
 
 // On an A/C table the contact azimuth is not the one that a vertical tool would have.
 TEST(Postures, ARotaryTableChangesWhatEveryStrategyCounts) {
-  const Case c(machines_of_every_kind()[0].kinematics);
-  MotionModel model;
+  const Case c(machine::machines_of_every_kind()[0].kinematics);
+  machine::MotionModel model;
   model.velocity = 100.0;
   model.acceleration = 2000.0;
   model.spindle_lock = true;
@@ -109,13 +111,15 @@ TEST(Postures, ARotaryTableChangesWhatEveryStrategyCounts) {
 TEST(Postures, BothFormsComeBackToTheSameTips) {
   for (const auto& [name, machine] : tilting_machines()) {
     const Case c(machine);
-    const PosturePath work = with_postures(c.constant_feed(), c.postures, machine, kDecimals);
+    const machine::PosturePath work =
+        with_postures(c.constant_feed(), c.postures, machine, kDecimals);
     for (const bool tcp : {true, false})
-      for (const ReferencePoint reference : {ReferencePoint::Tip, ReferencePoint::BallCentre}) {
-        const ProgramForm form{tcp, reference, 1e-4, 0.0};
-        const Kinematics with = with_tool(machine, 80.0, form, kTool);
-        const PosturePath told = programmed(work, with, form);
-        const ToolPath back = work_path(told, with, form);
+      for (const gcode::ReferencePoint reference :
+           {gcode::ReferencePoint::Tip, gcode::ReferencePoint::BallCentre}) {
+        const gcode::ProgramForm form{tcp, reference, 1e-4, 0.0};
+        const machine::Kinematics with = gcode::with_tool(machine, 80.0, form, kTool);
+        const machine::PosturePath told = gcode::programmed(work, with, form);
+        const ToolPath back = gcode::work_path(told, with, form);
         // the ends of moves, in order; parts of split moves lie on the straight way between them
         std::size_t r = 0;
         ToolPose from = work.path.start;
@@ -141,21 +145,23 @@ TEST(Postures, BothFormsComeBackToTheSameTips) {
 TEST(Postures, SplitMovesStayWithinTheChord) {
   for (const auto& [name, machine] : tilting_machines()) {
     const Case c(machine);
-    const PosturePath work = with_postures(c.constant_feed(), c.postures, machine, kDecimals);
-    const ProgramForm form{false, ReferencePoint::Tip, 1e-4, 0.0};
-    const Kinematics with = with_tool(machine, 80.0, form, kTool);
-    const PosturePath told = programmed(work, with, form);
-    const ToolPath back = work_path(told, with, form);
+    const machine::PosturePath work =
+        with_postures(c.constant_feed(), c.postures, machine, kDecimals);
+    const gcode::ProgramForm form{false, gcode::ReferencePoint::Tip, 1e-4, 0.0};
+    const machine::Kinematics with = gcode::with_tool(machine, 80.0, form, kTool);
+    const machine::PosturePath told = gcode::programmed(work, with, form);
+    const ToolPath back = gcode::work_path(told, with, form);
     double worst = 0.0;
     for (std::size_t i = 1; i < told.path.moves.size(); ++i) {
       const Vec3 &a = back.moves[i - 1].end.tip, &b = back.moves[i].end.tip;
       for (const double s : {0.25, 0.5, 0.75}) {
         const Vec3 linear =
             (1.0 - s) * told.path.moves[i - 1].end.tip + s * told.path.moves[i].end.tip;
-        Joints q{};
+        machine::Joints q{};
         for (int k = 0; k < 2; ++k)
           q[k] = (1.0 - s) * told.joints[i][k] + s * told.joints[i + 1][k];
-        worst = std::max(worst, (in_work_frame(with, linear, q) - ((1.0 - s) * a + s * b)).norm());
+        worst = std::max(
+            worst, (machine::in_work_frame(with, linear, q) - ((1.0 - s) * a + s * b)).norm());
       }
     }
     EXPECT_LT(worst, 1.3e-4) << name;  // the bend is worst near the middle, not quite in it
@@ -164,10 +170,10 @@ TEST(Postures, SplitMovesStayWithinTheChord) {
 }
 
 TEST(Postures, WhatTheMachineCannotPointAtIsAnOutcome) {
-  Kinematics machine = machines_of_every_kind()[0].kinematics;
+  machine::Kinematics machine = machine::machines_of_every_kind()[0].kinematics;
   machine.rotary[1].lowest = Angle::degrees(-5.0).radians();
   machine.rotary[1].highest = Angle::degrees(5.0).radians();
-  const Dimples dimples = table1_dimples(14, 1, 1);
+  const patch::Dimples dimples = patch::table1_dimples(14, 1, 1);
   ToolAxisRule rule;
   rule.mode = ToolAxisMode::Normal;
   rule.lead = Angle::degrees(15.0);
@@ -179,4 +185,4 @@ TEST(Postures, WhatTheMachineCannotPointAtIsAnOutcome) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::sync

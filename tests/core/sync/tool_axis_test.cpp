@@ -10,15 +10,15 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 // A row over a cylinder of radius 20 along Y, its normals from -30 to 30 degrees in the X-Z plane.
-Dimples row_over_cylinder(int count) {
-  Dimples dimples;
+patch::Dimples row_over_cylinder(int count) {
+  patch::Dimples dimples;
   for (int i = 0; i < count; ++i) {
     const double a = Angle::degrees(-30.0 + 60.0 * i / (count - 1)).radians();
-    Dimple d;
+    patch::Dimple d;
     d.surface.normal = Vec3(std::sin(a), 0.0, std::cos(a));
     d.surface.position = 20.0 * d.surface.normal;
     dimples.push_back(d);
@@ -35,7 +35,7 @@ ToolAxisRule normal_rule(double lead, double tilt) {
 }
 
 TEST(ToolAxis, LeadAndTiltAreAngledFromTheNormal) {
-  const Dimples row = row_over_cylinder(31);
+  const patch::Dimples row = row_over_cylinder(31);
   const auto ahead = tool_axes(row, normal_rule(12.0, 0.0));
   const auto aside = tool_axes(row, normal_rule(0.0, 7.0));
   for (std::size_t k = 1; k + 1 < row.size(); ++k) {
@@ -54,7 +54,7 @@ TEST(ToolAxis, LeadAndTiltAreAngledFromTheNormal) {
 }
 
 TEST(ToolAxis, MinimumLeadLeavesAloneWhatIsFarEnough) {
-  const Dimples row = row_over_cylinder(61);
+  const patch::Dimples row = row_over_cylinder(61);
   ToolAxisRule rule;
   rule.mode = ToolAxisMode::MinimumLead;
   rule.least_lead = Angle::degrees(10.0);
@@ -74,12 +74,12 @@ TEST(ToolAxis, MinimumLeadLeavesAloneWhatIsFarEnough) {
 }
 
 TEST(ToolAxis, NoDimpleHoldsTheTipWithALead) {
-  Dimples row = row_over_cylinder(61);
+  patch::Dimples row = row_over_cylinder(61);
   mark_tool_tip(row, std::vector<Vec3>(row.size(), Vec3::UnitZ()), Angle::degrees(5.0));
-  EXPECT_GT(count_states(row)[static_cast<std::size_t>(DimpleState::ToolTip)], 0);
-  Dimples leading = row_over_cylinder(61);
+  EXPECT_GT(patch::count_states(row)[static_cast<std::size_t>(patch::DimpleState::ToolTip)], 0);
+  patch::Dimples leading = row_over_cylinder(61);
   mark_tool_tip(leading, tool_axes(leading, normal_rule(12.0, 0.0)), Angle::degrees(5.0));
-  EXPECT_EQ(count_states(leading)[static_cast<std::size_t>(DimpleState::ToolTip)], 0);
+  EXPECT_EQ(patch::count_states(leading)[static_cast<std::size_t>(patch::DimpleState::ToolTip)], 0);
 }
 
 // Total bend of a run of axes: sum of second differences.
@@ -91,7 +91,7 @@ double roughness(const std::vector<Vec3>& axes) {
 }
 
 TEST(ToolAxis, SmoothingStaysWithinItsTolerance) {
-  Dimples row = row_over_cylinder(61);
+  patch::Dimples row = row_over_cylinder(61);
   ToolAxisRule rule;
   rule.mode = ToolAxisMode::Field;
   for (std::size_t k = 0; k < row.size(); ++k)  // a staircase, as of a coarse posture field
@@ -106,7 +106,7 @@ TEST(ToolAxis, SmoothingStaysWithinItsTolerance) {
 }
 
 TEST(ToolAxis, AFieldIsTakenAsItIsButLeanedAwayFromTheNormal) {
-  const Dimples row = row_over_cylinder(61);
+  const patch::Dimples row = row_over_cylinder(61);
   ToolAxisRule rule;
   rule.mode = ToolAxisMode::Field;
   for (std::size_t k = 0; k < row.size(); ++k)
@@ -131,7 +131,7 @@ TEST(ToolAxis, WidestTiltIsKept) {
 }
 
 TEST(ToolAxis, RowsKeepOneAxisWithinTheTolerance) {
-  const Dimples row = row_over_cylinder(61);
+  const patch::Dimples row = row_over_cylinder(61);
   const auto asked = tool_axes(row, normal_rule(10.0, 0.0));
   const auto axes = axes_by_row(row, asked, Angle::degrees(8.0));
   int pieces = 1;
@@ -143,10 +143,10 @@ TEST(ToolAxis, RowsKeepOneAxisWithinTheTolerance) {
 }
 
 // Two straight rows of ten, the second a step to the side and back again.
-Dimples two_rows() {
-  Dimples rows;
+patch::Dimples two_rows() {
+  patch::Dimples rows;
   for (int k = 0; k < 20; ++k) {
-    Dimple d;
+    patch::Dimple d;
     d.surface.position = Vec3(k < 10 ? k : 19 - k, k < 10 ? 0.0 : 1.0, 0.0);
     d.surface.normal = Vec3::UnitZ();
     rows.push_back(d);
@@ -155,7 +155,7 @@ Dimples two_rows() {
 }
 
 TEST(ToolAxis, ARowKeepsTheAxisBeforeAsFarAsHalfTheTolerance) {
-  const Dimples rows = two_rows();
+  const patch::Dimples rows = two_rows();
   const auto tilted = [](double degrees) {
     const double a = Angle::degrees(degrees).radians();
     return Vec3(0.0, std::sin(a), std::cos(a));
@@ -176,7 +176,7 @@ TEST(ToolAxis, ARowKeepsTheAxisBeforeAsFarAsHalfTheTolerance) {
 TEST(ToolAxis, KeepingARowsAxisNeverLeavesTheTolerance) {
   std::mt19937 random(11);
   std::normal_distribution<double> wander(0.0, 0.04);
-  const Dimples rows = two_rows();
+  const patch::Dimples rows = two_rows();
   for (int round = 0; round < 200; ++round) {
     std::vector<Vec3> asked;
     for (int k = 0; k < 20; ++k)
@@ -214,4 +214,4 @@ TEST(ToolAxis, BadInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::sync

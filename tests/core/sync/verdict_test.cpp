@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 const BallEndMill kTool{1.0, 2};
@@ -21,9 +21,9 @@ const Decimals kDecimals(4);
 const Angle kPeriod = Angle::degrees(180);
 
 struct Plan {
-  Dimples dimples = dimples_on({25.0, Vec3::Zero()}, 9.0, -8.0, 6);
+  patch::Dimples dimples = dimples_on({25.0, Vec3::Zero()}, 9.0, -8.0, 6);
   PacedRule rule;
-  MotionModel model;
+  machine::MotionModel model;
   Spindle spindle{1000.0 / 60.0, SpindleSense::M3};
 
   Plan() {
@@ -157,4 +157,4 @@ TEST(Calibration, AFeedPacedPathBeginsFurtherBack) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -15,7 +15,7 @@
 #include <rapidcheck/gtest.h>
 #include <tbb/global_control.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 using Fields = std::vector<std::vector<double>>;
@@ -224,4 +224,4 @@ TEST(Laplace, CancelsBetweenIterations) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 VoxelOptions pitch(double mm) {
@@ -29,30 +29,31 @@ TEST(Memory, AHundredMillionVoxelsOfBoxFitInFourGiB) {
                                    4.0 * 1024 * 1024 * 1024, frame));
 }
 
-class PeakOf : public testing::TestWithParam<PostureForm> {};
+class PeakOf : public testing::TestWithParam<dcm::PostureForm> {};
 
 // Model, posture and feed of 168^3 voxels, 88 % to be removed: what the process took at the worst moment.
 TEST_P(PeakOf, ModelPostureAndFeedIsWhatWasForeseen) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer has its own memory";
 #endif
-  const TriangleMesh stock = box_mesh(Vec3::Zero(), Vec3::Constant(168));
-  const TriangleMesh part = box_mesh(Vec3::Constant(40.2), Vec3::Constant(123.0));
-  const TriangleBvh bvh(part);
+  const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Zero(), Vec3::Constant(168));
+  const mesh::TriangleMesh part = mesh::box_mesh(Vec3::Constant(40.2), Vec3::Constant(123.0));
+  const mesh::TriangleBvh bvh(part);
   const VoxelOptions options = pitch(1.0);
   const PeakMemory peak;
   if (!peak.known()) GTEST_SKIP() << "this system does not say it";
   const VoxelGrid grid = voxelise(stock, part, options);
-  PostureOptions posture_options;
+  dcm::PostureOptions posture_options;
   posture_options.form = GetParam();
-  const PostureField posture = steady_posture(grid, part, bvh, posture_options);
+  const dcm::PostureField posture = dcm::steady_posture(grid, part, bvh, posture_options);
   const int fields = static_cast<int>(posture.value.size());
   ASSERT_TRUE(posture.outcome.converged);
-  const FeedField feed = steady_feed(grid, {5.0, 10.0});
+  const dcm::FeedField feed = dcm::steady_feed(grid, {5.0, 10.0});
   const double taken = peak.bytes(), exact = memory_of(grid.table, fields).total();
-  const double foreseen = estimate_memory(grid.frame, volume(stock) - volume(part),
-                                          surface_area(stock) + surface_area(part), fields)
-                              .total();
+  const double foreseen =
+      estimate_memory(grid.frame, mesh::volume(stock) - mesh::volume(part),
+                      mesh::surface_area(stock) + mesh::surface_area(part), fields)
+          .total();
   std::printf("peak %.1f MB; %.1f for the bricks stored, %.1f foreseen\n", 1e-6 * taken,
               1e-6 * exact, 1e-6 * foreseen);
   EXPECT_LT(taken, foreseen);
@@ -62,9 +63,9 @@ TEST_P(PeakOf, ModelPostureAndFeedIsWhatWasForeseen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Memory, PeakOf,
-                         testing::Values(PostureForm::Angles, PostureForm::UnitVector),
-                         [](const testing::TestParamInfo<PostureForm>& form) {
-                           return form.param == PostureForm::Angles ? "Angles" : "UnitVector";
+                         testing::Values(dcm::PostureForm::Angles, dcm::PostureForm::UnitVector),
+                         [](const testing::TestParamInfo<dcm::PostureForm>& form) {
+                           return form.param == dcm::PostureForm::Angles ? "Angles" : "UnitVector";
                          });
 
 // A box of 20 million voxels and its materials, which take a byte each; touched, so that they are resident.
@@ -72,13 +73,13 @@ TEST(Memory, MaterialsTakeWhatWasForeseen) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer has its own memory";
 #endif
-  const TriangleMesh stock = box_mesh(Vec3::Zero(), Vec3(320, 320, 200));
-  const TriangleMesh part = box_mesh(Vec3::Constant(50), Vec3::Constant(60));
-  const TriangleBvh bvh(stock);
+  const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Zero(), Vec3(320, 320, 200));
+  const mesh::TriangleMesh part = mesh::box_mesh(Vec3::Constant(50), Vec3::Constant(60));
+  const mesh::TriangleBvh bvh(stock);
   const VoxelGrid grid = voxelise(stock, part, pitch(1.0));
   const PeakMemory peak;
   if (!peak.known()) GTEST_SKIP() << "this system does not say it";
-  const std::vector<std::uint8_t> material = materials_of(grid, {{&stock, &bvh}});
+  const std::vector<std::uint8_t> material = dcm::materials_of(grid, {{&stock, &bvh}});
   const double taken = peak.bytes();
   const double foreseen =
       memory_of(grid.table, 2, true).fields - memory_of(grid.table, 2, false).fields;
@@ -89,11 +90,11 @@ TEST(Memory, MaterialsTakeWhatWasForeseen) {
 }
 
 TEST(Memory, EstimateIsCloseToWhatIsStored) {
-  const TriangleMesh stock = box_mesh(Vec3::Constant(-32), Vec3::Constant(32));
-  const TriangleMesh part = shapes::sphere(Vec3::Zero(), 28, 4);
+  const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Constant(-32), Vec3::Constant(32));
+  const mesh::TriangleMesh part = shapes::sphere(Vec3::Zero(), 28, 4);
   const VoxelGrid grid = voxelise(stock, part, pitch(0.5));
-  const double foreseen = estimate_memory(grid.frame, volume(stock) - volume(part),
-                                          surface_area(stock) + surface_area(part))
+  const double foreseen = estimate_memory(grid.frame, mesh::volume(stock) - mesh::volume(part),
+                                          mesh::surface_area(stock) + mesh::surface_area(part))
                               .total();
   const double exact = memory_of(grid.table).total();
   EXPECT_GT(foreseen, 0.95 * exact);
@@ -101,4 +102,4 @@ TEST(Memory, EstimateIsCloseToWhatIsStored) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 /// A line of /proc/self/status in bytes; 0 if there is none.
 inline double status_bytes(const std::string& name) {
@@ -37,4 +37,4 @@ class PeakMemory {
   double before_ = 0.0;
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

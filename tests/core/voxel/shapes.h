@@ -14,8 +14,8 @@
 namespace patchmill::shapes {
 
 /// Sphere by subdividing an octahedron `level` times: 8 * 4^level triangles, corners on the sphere.
-inline TriangleMesh sphere(const Vec3& centre, double radius, int level) {
-  TriangleMesh m;
+inline mesh::TriangleMesh sphere(const Vec3& centre, double radius, int level) {
+  mesh::TriangleMesh m;
   m.vertices = {Vec3::UnitX(),  -Vec3::UnitX(), Vec3::UnitY(),
                 -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};
   m.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
@@ -43,9 +43,9 @@ inline TriangleMesh sphere(const Vec3& centre, double radius, int level) {
 /// 1], its bottom the plane z = 0 and its sides vertical strips. n x n quadrilaterals on top. The
 /// border of `top` must lie over the border of the rectangle, but inside it the surface may
 /// overhang.
-inline TriangleMesh block_with_top(double a, double b, int n,
-                                   const std::function<Vec3(double, double)>& top) {
-  TriangleMesh m;
+inline mesh::TriangleMesh block_with_top(double a, double b, int n,
+                                         const std::function<Vec3(double, double)>& top) {
+  mesh::TriangleMesh m;
   const auto id = [&](int i, int j) { return j * (n + 1) + i; };
   const int count = (n + 1) * (n + 1);
   for (int j = 0; j <= n; ++j)
@@ -71,7 +71,7 @@ inline TriangleMesh block_with_top(double a, double b, int n,
 }
 
 /// The smooth convex part of the feed experiment: a block 50 x 50 mm with a rounded hill.
-inline TriangleMesh convex_part(int n) {
+inline mesh::TriangleMesh convex_part(int n) {
   return block_with_top(50, 50, n, [](double u, double v) {
     const double s = std::sin(kPi * u), t = std::sin(kPi * v);
     return Vec3(50 * u, 50 * v, 8.0 + 20.0 * s * t);
@@ -80,7 +80,7 @@ inline TriangleMesh convex_part(int n) {
 
 /// The overhanging part of the posture experiment: a wave that leans over towards +x, more so with
 /// y.
-inline TriangleMesh overhanging_part(int n) {
+inline mesh::TriangleMesh overhanging_part(int n) {
   return block_with_top(60, 50, n, [](double u, double v) {
     const double bump = std::pow(std::sin(kPi * u), 2);
     const double lean = (20.0 + 10.0 * v) * bump;
@@ -89,18 +89,18 @@ inline TriangleMesh overhanging_part(int n) {
 }
 
 /// All bricks of a box of `cells`, stored.
-inline BrickTable full_table(const Cell& cells) {
-  const Cell box = brick_box(cells);
-  return make_brick_table(cells, std::vector<std::uint8_t>(box.prod(), 1));
+inline voxel::BrickTable full_table(const voxel::Cell& cells) {
+  const voxel::Cell box = voxel::brick_box(cells);
+  return voxel::make_brick_table(cells, std::vector<std::uint8_t>(box.prod(), 1));
 }
 
 /// Calls `visit(index, cell)` for each cell of the table that lies in the box.
 template <class Visit>
-void for_each_cell(const BrickTable& table, const Visit& visit) {
+void for_each_cell(const voxel::BrickTable& table, const Visit& visit) {
   for (std::size_t b = 0; b < table.size(); ++b)
-    for (int n = 0; n < kBrickCells; ++n) {
-      const Cell cell = first_cell(table, b) + Cell(n % 8, n / 8 % 8, n / 64);
-      if ((cell.array() < table.cells.array()).all()) visit(b * kBrickCells + n, cell);
+    for (int n = 0; n < voxel::kBrickCells; ++n) {
+      const voxel::Cell cell = voxel::first_cell(table, b) + voxel::Cell(n % 8, n / 8 % 8, n / 64);
+      if ((cell.array() < table.cells.array()).all()) visit(b * voxel::kBrickCells + n, cell);
     }
 }
 

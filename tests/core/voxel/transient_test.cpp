@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 // The paper's numbers: dt = 0.1 s, D = 40, dx = 2 mm; r = 1.
@@ -27,12 +27,12 @@ TransientOptions paper(double time) {
   return options;
 }
 constexpr double kPaperPitch = 2.0;
-constexpr FeedLimits kPaperFeed{400.0 / 60.0, 800.0 / 60.0};
+constexpr dcm::FeedLimits kPaperFeed{400.0 / 60.0, 800.0 / 60.0};
 
 VoxelGrid convex_grid() {
   VoxelOptions options;
   options.pitch = kPaperPitch;
-  return voxelise(box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), shapes::convex_part(40), options);
+  return voxelise(mesh::box_mesh(Vec3::Zero(), Vec3(50, 50, 36)), shapes::convex_part(40), options);
 }
 
 TEST(Transient, ASineDecaysExactlyAsTheSchemeSays) {
@@ -58,13 +58,13 @@ TEST(Transient, ASineDecaysExactlyAsTheSchemeSays) {
 
 TEST(Transient, EndsInTheSteadyState) {
   const VoxelGrid grid = convex_grid();
-  const auto role = roles(grid, ExteriorRule::Held);
-  std::vector<double> late = initial_feed(grid, kPaperFeed);
+  const auto role = dcm::roles(grid, dcm::ExteriorRule::Held);
+  std::vector<double> late = dcm::initial_feed(grid, kPaperFeed);
   TransientOptions options = paper(400.0);
   options.substep = true;
   EXPECT_EQ(diffuse_transient(grid.table, role, DiffusionAxes::X, kPaperPitch, options, late),
             8000);
-  const FeedField steady = steady_feed(grid, kPaperFeed);
+  const dcm::FeedField steady = dcm::steady_feed(grid, kPaperFeed);
   for (std::size_t i = 0; i < late.size(); ++i) {
     if (role[i] == CellRole::Unknown) {
       ASSERT_NEAR(late[i], steady.along[0][i], 1e-9);
@@ -74,12 +74,12 @@ TEST(Transient, EndsInTheSteadyState) {
 
 TEST(Transient, InThreeDimensionsItEndsInTheSolversSteadyState) {
   const VoxelGrid grid = convex_grid();
-  const auto role = roles(grid, ExteriorRule::Held);
-  std::vector<double> late = initial_feed(grid, kPaperFeed);
+  const auto role = dcm::roles(grid, dcm::ExteriorRule::Held);
+  std::vector<double> late = dcm::initial_feed(grid, kPaperFeed);
   TransientOptions options = paper(60.0);
   options.substep = true;
   diffuse_transient(grid.table, role, DiffusionAxes::All, kPaperPitch, options, late);
-  std::vector<std::vector<double>> steady{initial_feed(grid, kPaperFeed)};
+  std::vector<std::vector<double>> steady{dcm::initial_feed(grid, kPaperFeed)};
   LaplaceOptions solver;
   solver.tolerance = 1e-11;
   ASSERT_TRUE(solve_laplace(grid.table, role, steady, solver).converged);
@@ -92,11 +92,11 @@ TEST(Transient, InThreeDimensionsItEndsInTheSolversSteadyState) {
 
 TEST(Transient, WithAFreeExteriorVHiAsInitialValueIsLost) {
   const VoxelGrid grid = convex_grid();
-  std::vector<double> field = initial_feed(grid, kPaperFeed);
+  std::vector<double> field = dcm::initial_feed(grid, kPaperFeed);
   TransientOptions options = paper(1200.0);
   options.substep = true;
-  diffuse_transient(grid.table, roles(grid, ExteriorRule::Free), DiffusionAxes::Z, kPaperPitch,
-                    options, field);
+  diffuse_transient(grid.table, dcm::roles(grid, dcm::ExteriorRule::Free), DiffusionAxes::Z,
+                    kPaperPitch, options, field);
   for (std::size_t i = 0; i < field.size(); ++i) {
     if (grid.kind[i] == VoxelKind::Removal || grid.kind[i] == VoxelKind::Exterior) {
       ASSERT_NEAR(field[i], kPaperFeed.low, 1e-3 * kPaperFeed.low);
@@ -126,9 +126,9 @@ TEST(Transient, ThePapersNumbersAreRefusedWithTheLimitNamed) {
 
 TEST(Transient, ThePapersNumbersWouldDiverge) {
   const VoxelGrid grid = convex_grid();
-  const auto role = roles(grid, ExteriorRule::Held);
+  const auto role = dcm::roles(grid, dcm::ExteriorRule::Held);
   for (const auto axes : {DiffusionAxes::X, DiffusionAxes::All}) {
-    std::vector<double> now = initial_feed(grid, kPaperFeed), next(now.size());
+    std::vector<double> now = dcm::initial_feed(grid, kPaperFeed), next(now.size());
     for (int step = 0; step < 30; ++step) {
       explicit_step(grid.table, role, axes, 1.0, now, next);
       now.swap(next);
@@ -140,4 +140,4 @@ TEST(Transient, ThePapersNumbersWouldDiverge) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -15,11 +15,11 @@
 #include <rapidcheck/gtest.h>
 #include <tbb/global_control.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 // Inside by the solid angle that the mesh subtends (van Oosterom & Strackee 1983).
-bool inside_by_angle(const TriangleMesh& mesh, const Vec3& p) {
+bool inside_by_angle(const mesh::TriangleMesh& mesh, const Vec3& p) {
   double sum = 0.0;
   for (const auto& t : mesh.triangles) {
     const Vec3 a = mesh.vertices[t[0]] - p, b = mesh.vertices[t[1]] - p,
@@ -45,7 +45,7 @@ bool meets_cube(const Vec3& a, const Vec3& b, const Vec3& c, double half) {
   return true;
 }
 
-TriangleMesh turned(TriangleMesh mesh, const Eigen::Quaterniond& q, const Vec3& shift) {
+mesh::TriangleMesh turned(mesh::TriangleMesh mesh, const Eigen::Quaterniond& q, const Vec3& shift) {
   for (Vec3& v : mesh.vertices) v = q * v + shift;
   return mesh;
 }
@@ -56,7 +56,8 @@ VoxelOptions pitch(double mm) {
   return options;
 }
 
-void compare_with_references(const TriangleMesh& stock, const TriangleMesh& part, double mm) {
+void compare_with_references(const mesh::TriangleMesh& stock, const mesh::TriangleMesh& part,
+                             double mm) {
   const VoxelGrid grid = voxelise(stock, part, pitch(mm));
   Cell cell;
   int surface = 0;
@@ -81,9 +82,9 @@ void compare_with_references(const TriangleMesh& stock, const TriangleMesh& part
 
 TEST(Voxelise, TurnedBlockInABlockEqualsTheReferences) {
   const Eigen::Quaterniond q(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
-  const TriangleMesh part =
-      turned(box_mesh(Vec3::Constant(-2.4), Vec3(3.1, 2.2, 1.9)), q, Vec3(5, 5, 5));
-  compare_with_references(box_mesh(Vec3::Zero(), Vec3(10, 11, 10)), part, 0.73);
+  const mesh::TriangleMesh part =
+      turned(mesh::box_mesh(Vec3::Constant(-2.4), Vec3(3.1, 2.2, 1.9)), q, Vec3(5, 5, 5));
+  compare_with_references(mesh::box_mesh(Vec3::Zero(), Vec3(10, 11, 10)), part, 0.73);
 }
 
 TEST(Voxelise, SphereInASphereEqualsTheReferences) {
@@ -93,11 +94,12 @@ TEST(Voxelise, SphereInASphereEqualsTheReferences) {
 
 RC_GTEST_PROP(Voxelise, ParityEqualsSolidAngle, ()) {
   const auto number = [] { return *rc::gen::inRange(-1000, 1000) / 1000.0; };
-  const TriangleMesh mesh = shapes::sphere(Vec3(number(), number(), number()), 2 + number(), 2);
-  const TriangleBvh bvh(mesh);
+  const mesh::TriangleMesh mesh =
+      shapes::sphere(Vec3(number(), number(), number()), 2 + number(), 2);
+  const mesh::TriangleBvh bvh(mesh);
   for (int i = 0; i < 20; ++i) {
     const Vec3 p(3 * number(), 3 * number(), 3 * number());
-    const auto cross = line_crossings(bvh, p.y(), p.z());
+    const auto cross = mesh::line_crossings(bvh, p.y(), p.z());
     RC_ASSERT(cross.size() % 2 == 0);
     const auto before = std::upper_bound(cross.begin(), cross.end(), p.x()) - cross.begin();
     RC_ASSERT((before % 2 == 1) == inside_by_angle(mesh, p));
@@ -107,8 +109,9 @@ RC_GTEST_PROP(Voxelise, ParityEqualsSolidAngle, ()) {
 // Lines through vertices, along edges and in faces: every line still closes, and volumes are exact.
 TEST(Voxelise, LinesThroughEdgesAndVerticesAreCountedOnce) {
   // an octahedron whose corners, edges and diagonal planes lie on voxel centres
-  const TriangleMesh part = shapes::sphere(Vec3(8.5, 8.5, 8.5), 5.0, 0);
-  const VoxelGrid grid = voxelise(box_mesh(Vec3::Zero(), Vec3::Constant(17)), part, pitch(1.0));
+  const mesh::TriangleMesh part = shapes::sphere(Vec3(8.5, 8.5, 8.5), 5.0, 0);
+  const VoxelGrid grid =
+      voxelise(mesh::box_mesh(Vec3::Zero(), Vec3::Constant(17)), part, pitch(1.0));
   Cell c;
   for (c.z() = 0; c.z() < 17; ++c.z())
     for (c.y() = 0; c.y() < 17; ++c.y())
@@ -130,8 +133,8 @@ TEST(Voxelise, LinesThroughEdgesAndVerticesAreCountedOnce) {
 }
 
 TEST(Voxelise, FacesInVoxelPlanesMarkBothSides) {
-  const VoxelGrid grid = voxelise(box_mesh(Vec3::Zero(), Vec3(10, 10, 10)),
-                                  box_mesh(Vec3(3, 3, 0), Vec3(7, 7, 5)), pitch(1.0));
+  const VoxelGrid grid = voxelise(mesh::box_mesh(Vec3::Zero(), Vec3(10, 10, 10)),
+                                  mesh::box_mesh(Vec3(3, 3, 0), Vec3(7, 7, 5)), pitch(1.0));
   for (const auto& [cell, kind] :
        std::vector<std::pair<Cell, VoxelKind>>{{{2, 5, 2}, VoxelKind::Surface},
                                                {{3, 5, 2}, VoxelKind::Surface},
@@ -150,10 +153,10 @@ TEST(Voxelise, FacesInVoxelPlanesMarkBothSides) {
 
 // Whole bricks of air, part and removal volume, and mixed ones, beside each other and at the box's faces.
 TEST(Voxelise, TheSkinIsWhatBordersOnAir) {
-  const TriangleMesh ball = shapes::sphere(Vec3::Zero(), 30, 3);
-  const TriangleMesh block = box_mesh(Vec3(-33, -20, -24), Vec3(24, 20.5, 30));
-  const TriangleMesh cube = box_mesh(Vec3::Constant(-16), Vec3::Constant(8));
-  for (const TriangleMesh* stock : {&ball, &block}) {
+  const mesh::TriangleMesh ball = shapes::sphere(Vec3::Zero(), 30, 3);
+  const mesh::TriangleMesh block = mesh::box_mesh(Vec3(-33, -20, -24), Vec3(24, 20.5, 30));
+  const mesh::TriangleMesh cube = mesh::box_mesh(Vec3::Constant(-16), Vec3::Constant(8));
+  for (const mesh::TriangleMesh* stock : {&ball, &block}) {
     const VoxelGrid grid = voxelise(*stock, cube, pitch(1.0));
     std::int64_t wrong = 0, skin = 0;
     Cell c;
@@ -177,14 +180,14 @@ TEST(Voxelise, TheSkinIsWhatBordersOnAir) {
 }
 
 TEST(Voxelise, RemovalVolumeConvergesToStockMinusPart) {
-  const TriangleMesh stock = box_mesh(Vec3::Constant(-10), Vec3::Constant(10));
-  const TriangleMesh part = shapes::sphere(Vec3::Zero(), 7, 4);
-  const double exact = volume(stock) - volume(part);
+  const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Constant(-10), Vec3::Constant(10));
+  const mesh::TriangleMesh part = shapes::sphere(Vec3::Zero(), 7, 4);
+  const double exact = mesh::volume(stock) - mesh::volume(part);
   for (const double mm : {1.0, 0.5, 0.25}) {
     const VoxelGrid grid = voxelise(stock, part, pitch(mm));
     std::int64_t solid =
         0;  // by centre: all of the box but the part; surface voxels are asked again
-    const TriangleBvh bvh(part);
+    const mesh::TriangleBvh bvh(part);
     Cell c;
     for (c.z() = 0; c.z() < grid.frame.cells.z(); ++c.z())
       for (c.y() = 0; c.y() < grid.frame.cells.y(); ++c.y())
@@ -193,14 +196,14 @@ TEST(Voxelise, RemovalVolumeConvergesToStockMinusPart) {
           const Vec3 p = grid.frame.centre(c);
           solid += kind == VoxelKind::Part || (kind == VoxelKind::Surface && p.norm() < 6.99);
         }
-    const double removed = volume(stock) - mm * mm * mm * static_cast<double>(solid);
-    EXPECT_NEAR(removed, exact, 4.0 * mm * std::sqrt(surface_area(part)));
+    const double removed = mesh::volume(stock) - mm * mm * mm * static_cast<double>(solid);
+    EXPECT_NEAR(removed, exact, 4.0 * mm * std::sqrt(mesh::surface_area(part)));
   }
 }
 
 TEST(Voxelise, OrderOfTrianglesAndThreadsDoNotMatter) {
-  const TriangleMesh stock = box_mesh(Vec3::Constant(-10), Vec3::Constant(10));
-  TriangleMesh part = shapes::sphere(Vec3(0.3, -0.7, 0.2), 7, 3);
+  const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Constant(-10), Vec3::Constant(10));
+  mesh::TriangleMesh part = shapes::sphere(Vec3(0.3, -0.7, 0.2), 7, 3);
   const VoxelGrid first = voxelise(stock, part, pitch(0.4));
   std::mt19937 random(1);
   std::shuffle(part.triangles.begin(), part.triangles.end(), random);
@@ -211,7 +214,7 @@ TEST(Voxelise, OrderOfTrianglesAndThreadsDoNotMatter) {
 }
 
 TEST(Voxelise, InsideFunctionsGiveTheSameRemovalVolume) {
-  const TriangleMesh stock = box_mesh(Vec3::Constant(-10), Vec3::Constant(10));
+  const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Constant(-10), Vec3::Constant(10));
   const VoxelGrid mesh = voxelise(stock, shapes::sphere(Vec3::Zero(), 7, 5), pitch(0.5));
   const VoxelGrid function =
       voxelise([](const Vec3& p) { return p.cwiseAbs().maxCoeff() < 10; },
@@ -228,9 +231,10 @@ TEST(Voxelise, InsideFunctionsGiveTheSameRemovalVolume) {
 }
 
 TEST(Voxelise, BadInputIsNamed) {
-  const TriangleMesh stock = box_mesh(Vec3::Zero(), Vec3::Constant(10));
-  TriangleMesh part = box_mesh(Vec3::Constant(2), Vec3::Constant(8));
-  const auto property = [&](const TriangleMesh& s, const TriangleMesh& p, const VoxelOptions& o) {
+  const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Zero(), Vec3::Constant(10));
+  mesh::TriangleMesh part = mesh::box_mesh(Vec3::Constant(2), Vec3::Constant(8));
+  const auto property = [&](const mesh::TriangleMesh& s, const mesh::TriangleMesh& p,
+                            const VoxelOptions& o) {
     try {
       voxelise(s, p, o);
     } catch (const InputError& e) {
@@ -240,13 +244,13 @@ TEST(Voxelise, BadInputIsNamed) {
   };
   EXPECT_EQ(property(stock, part, pitch(1)), "accepted");
   EXPECT_EQ(property(stock, part, pitch(0)), "voxel size: 0 mm");
-  EXPECT_EQ(property(stock, box_mesh(Vec3::Constant(2), Vec3::Constant(13)), pitch(1)),
+  EXPECT_EQ(property(stock, mesh::box_mesh(Vec3::Constant(2), Vec3::Constant(13)), pitch(1)),
             "part: 3.000 mm outside the stock");
   EXPECT_EQ(property(stock, stock, pitch(1)), "removal volume: 0 voxels");
   VoxelOptions fine = pitch(0.01);
   fine.memory_limit = 1e9;
   EXPECT_NE(property(stock, part, fine).find("of the 954 MiB allowed"), std::string::npos);
-  TriangleMesh open = part;
+  mesh::TriangleMesh open = part;
   open.triangles.pop_back();
   EXPECT_EQ(property(stock, open, pitch(1)), "part: an open shell, 3 unmatched edges");
   for (auto& t : part.triangles) std::swap(t[0], t[1]);
@@ -254,4 +258,4 @@ TEST(Voxelise, BadInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace patchmill
+}  // namespace patchmill::voxel

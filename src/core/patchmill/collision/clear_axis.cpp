@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::collision {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
 
 // Least signed distance [mm] from the sections of a holder, to the resolution, and no more than `enough`; below
 // `stop` some distance that is. Where it is goes to `point`.
-double least_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+double least_distance(const mesh::TriangleBvh& part, const std::vector<HolderSection>& holder,
                       const Vec3& centre, const Vec3& axis, double resolution, double stop,
                       double enough, Vec3* point = nullptr) {
   FrustumSearch search(part, centre, axis, resolution, stop);
@@ -32,7 +32,7 @@ double least_distance(const TriangleBvh& part, const std::vector<HolderSection>&
 // clearance. Points of the part that were in the way before are asked first, the last one of all.
 class Judge {
  public:
-  Judge(const TriangleBvh& part, const std::vector<HolderSection>& holder, const Vec3& centre,
+  Judge(const mesh::TriangleBvh& part, const std::vector<HolderSection>& holder, const Vec3& centre,
         const ClearOptions& options)
       : part_(part),
         holder_(holder),
@@ -65,7 +65,7 @@ class Judge {
     return false;
   }
 
-  const TriangleBvh& part_;
+  const mesh::TriangleBvh& part_;
   const std::vector<HolderSection>& holder_;
   Vec3 centre_;
   const ClearOptions& options_;
@@ -92,13 +92,13 @@ void check(const std::vector<HolderSection>& holder, const ClearOptions& o) {
 
 }  // namespace
 
-double holder_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+double holder_distance(const mesh::TriangleBvh& part, const std::vector<HolderSection>& holder,
                        const Vec3& centre, const Vec3& axis, double resolution, double enough) {
   const double d = least_distance(part, holder, centre, axis, resolution, resolution, enough);
   return d < resolution ? 0.0 : d;
 }
 
-ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+ClearAxis clear_axis(const mesh::TriangleBvh& part, const std::vector<HolderSection>& holder,
                      const Vec3& centre, const Vec3& wanted, const ClearOptions& options) {
   check(holder, options);
   Judge judge(part, holder, centre, options);
@@ -126,8 +126,9 @@ ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& 
   return {wanted, false};
 }
 
-PathClearance path_clearance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
-                             const ToolPath& path, const ClearOptions& options, double step) {
+PathClearance path_clearance(const mesh::TriangleBvh& part,
+                             const std::vector<HolderSection>& holder, const ToolPath& path,
+                             const ClearOptions& options, double step) {
   check(holder, options);
   require_in_range("step", step, 1e-3, 1e6, "mm");
   PathClearance out;
@@ -157,4 +158,4 @@ PathClearance path_clearance(const TriangleBvh& part, const std::vector<HolderSe
   return out;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

@@ -13,7 +13,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::collision {
 
 /// A section of shank or holder; heights above the ball centre [mm], 0 < from.
 using HolderSection = Frustum;
@@ -27,7 +27,7 @@ struct ClearOptions {
 
 /// Smallest distance [mm] of the sections from the part, to the resolution; 0 if they reach into it; no
 /// more than `enough`, beyond which nothing is looked for. Options and sections are not checked.
-double holder_distance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+double holder_distance(const mesh::TriangleBvh& part, const std::vector<HolderSection>& holder,
                        const Vec3& centre, const Vec3& axis, double resolution, double enough);
 
 struct ClearAxis {
@@ -39,7 +39,7 @@ struct ClearAxis {
 /// The axis nearest to `wanted` with which the holder is no nearer to the part than the clearance, the ball at
 /// `centre`; one that clears it by less than the resolution may be left out. Errors: InputError naming an option
 /// or a section out of range.
-ClearAxis clear_axis(const TriangleBvh& part, const std::vector<HolderSection>& holder,
+ClearAxis clear_axis(const mesh::TriangleBvh& part, const std::vector<HolderSection>& holder,
                      const Vec3& centre, const Vec3& wanted, const ClearOptions& options = {});
 
 /// Where a path comes too near: every timed move is looked at in steps of at most `step` [mm, 1e-3 .. 1e6] of
@@ -49,7 +49,8 @@ struct PathClearance {
   std::int64_t move = -1;     ///< the move where it is
   std::int64_t too_near = 0;  ///< moves that come nearer than the clearance less the resolution
 };
-PathClearance path_clearance(const TriangleBvh& part, const std::vector<HolderSection>& holder,
-                             const ToolPath& path, const ClearOptions& options, double step = 0.5);
+PathClearance path_clearance(const mesh::TriangleBvh& part,
+                             const std::vector<HolderSection>& holder, const ToolPath& path,
+                             const ClearOptions& options, double step = 0.5);
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

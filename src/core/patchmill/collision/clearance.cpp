@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::collision {
 namespace {
 
 using Nearest = SectionDistance;
@@ -297,4 +297,4 @@ ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSect
   return report;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-namespace patchmill {
+namespace patchmill::collision {
 
 /// Signed distance [mm] of a place from the part as it is to be: positive outside, negative inside.
 /// Must not change faster than the place does. NaN: not known there. Is called from several
@@ -93,4 +93,4 @@ ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSect
                                 const PartShape& part, const ClearanceOptions& options = {},
                                 const Progress& progress = {});
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::collision {
 namespace {
 
 // The point of the segment a-b nearest to p (Ericson 2005, section 5.1.2).
@@ -49,4 +49,4 @@ SignedDistance frustum_distance(const Frustum& frustum, const Vec3& origin, cons
   return out;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

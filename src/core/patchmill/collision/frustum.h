@@ -8,7 +8,7 @@
 
 #include "patchmill/geometry/vec.h"
 
-namespace patchmill {
+namespace patchmill::collision {
 
 /// A frustum about an axis.
 struct Frustum {
@@ -25,4 +25,4 @@ struct SignedDistance {
 SignedDistance frustum_distance(const Frustum& frustum, const Vec3& origin, const Vec3& axis,
                                 const Vec3& p);
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-namespace patchmill {
+namespace patchmill::collision {
 
-FrustumSearch::FrustumSearch(const TriangleBvh& mesh, const Vec3& origin, const Vec3& axis,
+FrustumSearch::FrustumSearch(const mesh::TriangleBvh& mesh, const Vec3& origin, const Vec3& axis,
                              double resolution, double stop)
     : mesh_(mesh), origin_(origin), axis_(axis), resolution_(resolution), stop_(stop) {}
 
@@ -15,7 +15,7 @@ bool FrustumSearch::decided(double bound) const {
 }
 
 // No point of the box is nearer.
-double FrustumSearch::bound(const Frustum& frustum, const BvhNode& node) const {
+double FrustumSearch::bound(const Frustum& frustum, const mesh::BvhNode& node) const {
   const auto d = frustum_distance(frustum, origin_, axis_, 0.5 * (node.lo + node.hi));
   return d.value - 0.5 * d.gradient.cwiseAbs().dot(node.hi - node.lo);
 }
@@ -32,7 +32,7 @@ double FrustumSearch::nearer(const Frustum& frustum, double best) {
   while (top > 0) {
     const Visit visit = stack[--top];
     if (decided(visit.bound)) continue;
-    const BvhNode& node = mesh_.nodes()[visit.node];
+    const mesh::BvhNode& node = mesh_.nodes()[visit.node];
     for (std::int32_t i = node.first; i < node.first + node.count; ++i)
       triangle(frustum, mesh_.triangles()[i]);
     if (node.count > 0) continue;
@@ -44,7 +44,7 @@ double FrustumSearch::nearer(const Frustum& frustum, double best) {
   return best_;
 }
 
-void FrustumSearch::triangle(const Frustum& frustum, const Triangle& t) {
+void FrustumSearch::triangle(const Frustum& frustum, const mesh::Triangle& t) {
   const Vec3 middle = (t.a + t.b + t.c) / 3.0;
   const auto d = frustum_distance(frustum, origin_, axis_, middle);
   if (d.value < best_) {
@@ -57,10 +57,10 @@ void FrustumSearch::triangle(const Frustum& frustum, const Triangle& t) {
   const double ab = (t.b - t.a).norm(), bc = (t.c - t.b).norm(), ca = (t.a - t.c).norm();
   if (ab < std::max(bc, ca)) return triangle(frustum, {t.b, t.c, t.a});  // the longest in front
   const Vec3 half = 0.5 * (t.a + t.b);
-  const Triangle first{t.c, t.a, half}, second{t.b, t.c, half};
+  const mesh::Triangle first{t.c, t.a, half}, second{t.b, t.c, half};
   const bool first_nearer = g.dot(t.a) <= g.dot(t.b);
   triangle(frustum, first_nearer ? first : second);
   triangle(frustum, first_nearer ? second : first);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

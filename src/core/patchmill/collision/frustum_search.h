@@ -8,15 +8,15 @@
 #include "patchmill/collision/frustum.h"
 #include "patchmill/mesh/triangle_bvh.h"
 
-namespace patchmill {
+namespace patchmill::collision {
 
 /// Least signed distance of a mesh from frusta on one axis through `origin` [mm]; the axis is of unit length. The mesh
 /// must outlive it.
 class FrustumSearch {
  public:
   /// Finds distances to `resolution` [mm, > 0]; those below `stop` need not be found any better.
-  FrustumSearch(const TriangleBvh& mesh, const Vec3& origin, const Vec3& axis, double resolution,
-                double stop);
+  FrustumSearch(const mesh::TriangleBvh& mesh, const Vec3& origin, const Vec3& axis,
+                double resolution, double stop);
 
   /// Least distance from one more frustum, if it is less than `best`; `best` again if not.
   double nearer(const Frustum& frustum, double best);
@@ -26,14 +26,14 @@ class FrustumSearch {
 
  private:
   bool decided(double bound) const;
-  double bound(const Frustum& frustum, const BvhNode& node) const;
-  void triangle(const Frustum& frustum, const Triangle& t);
+  double bound(const Frustum& frustum, const mesh::BvhNode& node) const;
+  void triangle(const Frustum& frustum, const mesh::Triangle& t);
 
-  const TriangleBvh& mesh_;
+  const mesh::TriangleBvh& mesh_;
   Vec3 origin_, axis_;
   double resolution_, stop_;
   double best_ = 0.0;
   Vec3 point_ = Vec3::Zero();
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

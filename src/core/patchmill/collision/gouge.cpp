@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::collision {
 
-std::vector<Gouge> find_gouges(const Relief& relief, double tolerance) {
+std::vector<Gouge> find_gouges(const marks::Relief& relief, double tolerance) {
   require_in_range("Tolerance", tolerance, 0.0, 1e6, "mm");
-  const SurfaceGrid& grid = relief.grid;
+  const marks::SurfaceGrid& grid = relief.grid;
   std::vector<bool> seen(relief.height.size(), false);
   const auto is_new = [&](std::int64_t cell) {
     const auto k = static_cast<std::size_t>(cell);
@@ -43,7 +43,8 @@ std::vector<Gouge> find_gouges(const Relief& relief, double tolerance) {
     }
     const int i = static_cast<int>(deepest % grid.columns);
     const int j = static_cast<int>(deepest / grid.columns);
-    gouges.push_back({relief_point(relief, i, j), grid.plane_point(i, j), -double{relief.at(i, j)},
+    gouges.push_back({marks::relief_point(relief, i, j), grid.plane_point(i, j),
+                      -double{relief.at(i, j)},
                       static_cast<double>(count) * grid.step * grid.step});
   }
   std::stable_sort(gouges.begin(), gouges.end(),
@@ -51,9 +52,9 @@ std::vector<Gouge> find_gouges(const Relief& relief, double tolerance) {
   return gouges;
 }
 
-std::int64_t count_missing(const Relief& relief) {
+std::int64_t count_missing(const marks::Relief& relief) {
   return std::count_if(relief.height.begin(), relief.height.end(),
                        [](float h) { return std::isnan(h); });
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

@@ -4,7 +4,7 @@
 
 #include "patchmill/marks/relief.h"
 
-namespace patchmill {
+namespace patchmill::collision {
 
 struct Gouge {
   Vec3 place = Vec3::Zero();        ///< its deepest point, on the relief [mm]
@@ -16,9 +16,9 @@ struct Gouge {
 /// Connected patches of cells more than `tolerance` [mm] below the base, deepest first. Cells
 /// without a base are not looked at: their number is returned by count_missing, and is not a pass.
 /// Errors: InputError naming Tolerance.
-std::vector<Gouge> find_gouges(const Relief& relief, double tolerance);
+std::vector<Gouge> find_gouges(const marks::Relief& relief, double tolerance);
 
 /// Cells without a base.
-std::int64_t count_missing(const Relief& relief);
+std::int64_t count_missing(const marks::Relief& relief);
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

@@ -9,14 +9,14 @@
 #include <cmath>
 #include <memory>
 
-namespace patchmill {
+namespace patchmill::collision {
 namespace {
 
 const double kGentle = std::cos(80.0 * kPi / 180.0);
 
 class Solid {
  public:
-  explicit Solid(const TriangleMesh& mesh) : bvh_(mesh), normal_(mesh.triangles.size()) {
+  explicit Solid(const mesh::TriangleMesh& mesh) : bvh_(mesh), normal_(mesh.triangles.size()) {
     for (std::size_t i = 0; i < normal_.size(); ++i) {
       const auto& t = mesh.triangles[i];
       const Vec3 a = mesh.vertices[t[0]];
@@ -25,10 +25,10 @@ class Solid {
     find_gentle(mesh);
   }
 
-  const TriangleBvh& bvh() const { return bvh_; }
+  const mesh::TriangleBvh& bvh() const { return bvh_; }
 
   double distance(const Vec3& at) const {
-    const ClosestPoint near = closest_point(bvh_, at);
+    const mesh::ClosestPoint near = mesh::closest_point(bvh_, at);
     const auto i = static_cast<std::size_t>(near.triangle);
     const double height = (at - near.point).dot(normal_[i]);
     const bool on_face = near.barycentric.minCoeff() > 1e-9;
@@ -38,15 +38,11 @@ class Solid {
     return inside(at) ? -near.distance : near.distance;
   }
 
-  bool inside(const Vec3& at) const {
-    const std::vector<double> x = line_crossings(bvh_, at.y(), at.z());
-    const auto beyond = std::upper_bound(x.begin(), x.end(), at.x());
-    return (x.end() - beyond) % 2 != 0;
-  }
+  bool inside(const Vec3& at) const { return mesh::inside(bvh_, at); }
 
  private:
   /// Triangles all of whose neighbours, also those at a corner only, have normals within 80 degrees.
-  void find_gentle(const TriangleMesh& mesh) {
+  void find_gentle(const mesh::TriangleMesh& mesh) {
     std::vector<std::vector<std::int32_t>> around(mesh.vertices.size());
     for (std::size_t i = 0; i < normal_.size(); ++i)
       for (const std::int32_t v : mesh.triangles[i])
@@ -69,14 +65,14 @@ class Solid {
     }
   }
 
-  TriangleBvh bvh_;
+  mesh::TriangleBvh bvh_;
   std::vector<Vec3> normal_;
   std::vector<char> gentle_;
 };
 
 }  // namespace
 
-SectionDistance nearest_section(const TriangleBvh& bvh, const ToolSection& section,
+SectionDistance nearest_section(const mesh::TriangleBvh& bvh, const ToolSection& section,
                                 const ToolPose& pose, double enough) {
   constexpr double kExact = 1e-6;  // mm
   FrustumSearch search(bvh, pose.tip, pose.axis, kExact, -std::numeric_limits<double>::infinity());
@@ -84,8 +80,8 @@ SectionDistance nearest_section(const TriangleBvh& bvh, const ToolSection& secti
   return {nearest, search.point()};
 }
 
-PartShape shape_from_mesh(const TriangleMesh& mesh) {
-  require_closed(mesh, "Part");
+PartShape shape_from_mesh(const mesh::TriangleMesh& mesh) {
+  mesh::require_closed(mesh, "Part");
   const auto solid = std::make_shared<const Solid>(mesh);
   PartShape part([solid](const Vec3& at) { return solid->distance(at); });
   part.section = [solid](const ToolSection& section, const ToolPose& pose, double enough) {
@@ -119,10 +115,10 @@ PartShape join(std::vector<PartShape> parts) {
   return joined;
 }
 
-PartDistance distance_from_mesh(const TriangleMesh& mesh) {
-  require_closed(mesh, "Part");
+PartDistance distance_from_mesh(const mesh::TriangleMesh& mesh) {
+  mesh::require_closed(mesh, "Part");
   const auto solid = std::make_shared<const Solid>(mesh);
   return [solid](const Vec3& at) { return solid->distance(at); };
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

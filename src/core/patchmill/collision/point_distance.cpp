@@ -9,7 +9,7 @@
 #include <limits>
 #include <memory>
 
-namespace patchmill {
+namespace patchmill::collision {
 namespace {
 
 constexpr std::size_t kLeaf = 8;
@@ -18,11 +18,11 @@ constexpr std::size_t kLeaf = 8;
 /// that changes with the depth.
 class PointTree {
  public:
-  explicit PointTree(std::vector<SurfacePoint> points) : points_(std::move(points)) {
+  explicit PointTree(std::vector<patch::SurfacePoint> points) : points_(std::move(points)) {
     split(0, points_.size(), 0);
   }
 
-  const SurfacePoint& nearest(const Vec3& at) const {
+  const patch::SurfacePoint& nearest(const Vec3& at) const {
     std::size_t best = 0;
     double square = std::numeric_limits<double>::infinity();
     look(0, points_.size(), 0, at, best, square);
@@ -35,7 +35,7 @@ class PointTree {
     const std::size_t middle = (from + to) / 2;
     const auto begin = points_.begin();
     std::nth_element(begin + from, begin + middle, begin + to,
-                     [axis](const SurfacePoint& a, const SurfacePoint& b) {
+                     [axis](const patch::SurfacePoint& a, const patch::SurfacePoint& b) {
                        return a.position[axis] < b.position[axis];
                      });
     split(from, middle, (axis + 1) % 3);
@@ -68,17 +68,18 @@ class PointTree {
     }
   }
 
-  std::vector<SurfacePoint> points_;
+  std::vector<patch::SurfacePoint> points_;
 };
 
 }  // namespace
 
-PartDistance distance_from_points(std::vector<SurfacePoint> points, double spacing, double reach) {
+PartDistance distance_from_points(std::vector<patch::SurfacePoint> points, double spacing,
+                                  double reach) {
   require_positive("Spacing", spacing, "mm");
   if (points.empty()) return {};
   const auto tree = std::make_shared<const PointTree>(std::move(points));
   return [tree, spacing, reach](const Vec3& at) {
-    const SurfacePoint& p = tree->nearest(at);
+    const patch::SurfacePoint& p = tree->nearest(at);
     const Vec3 from = at - p.position;
     const double away = from.norm(), height = from.dot(p.normal);
     if (!(away <= reach)) return std::numeric_limits<double>::quiet_NaN();
@@ -87,13 +88,14 @@ PartDistance distance_from_points(std::vector<SurfacePoint> points, double spaci
   };
 }
 
-std::vector<SurfacePoint> surface_points(const Relief& relief, int stride) {
-  std::vector<SurfacePoint> points;
+std::vector<patch::SurfacePoint> surface_points(const marks::Relief& relief, int stride) {
+  std::vector<patch::SurfacePoint> points;
   for (int j = 0; j < relief.grid.rows; j += stride)
     for (int i = 0; i < relief.grid.columns; i += stride)
       if (std::isfinite(relief.at(i, j)))
-        points.push_back({relief_point(relief, i, j), base_normal(relief.grid, i, j)});
+        points.push_back(
+            {marks::relief_point(relief, i, j), marks::base_normal(relief.grid, i, j)});
   return points;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::collision

@@ -12,7 +12,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 // Cosine of how far the ball rolls over an edge of the faces: as far as scanning lines go beyond the stock.
@@ -23,11 +23,11 @@ using Centres = std::vector<Vec3>;
 // Asked along one cut.
 struct WorksOn {
   DropProbe drop;  // on the part
-  const TriangleBvh& faces;
+  const mesh::TriangleBvh& faces;
   double radius, tolerance;
 
   bool touches(const Vec3& centre) const {
-    return is_over(faces, centre, radius + tolerance, kOverEdge);
+    return mesh::is_over(faces, centre, radius + tolerance, kOverEdge);
   }
 
   bool operator()(const Vec3& centre) {
@@ -86,8 +86,9 @@ std::vector<Centres> cuts_of(const ToolPath& path) {
 
 }  // namespace
 
-ToolPath over_faces(const ToolPath& path, const TriangleBvh& part, const TriangleBvh& faces,
-                    const CopyOptions& options, const Progress& progress) {
+ToolPath over_faces(const ToolPath& path, const mesh::TriangleBvh& part,
+                    const mesh::TriangleBvh& faces, const CopyOptions& options,
+                    const Progress& progress) {
   require_valid(options);
   const double radius = options.tool.radius + options.allowance;
   const WorksOn works{DropProbe(part, radius), faces, radius, options.tolerance};
@@ -106,4 +107,4 @@ ToolPath over_faces(const ToolPath& path, const TriangleBvh& part, const Triangl
   return builder.finish().path;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -7,14 +7,15 @@
 
 #include "patchmill/copy/copy_milling.h"
 
-namespace patchmill {
+namespace patchmill::copy {
 
 /// The cuts of `path`, made by copy_mill of `part` with `options` in scanning or contour lines, on the places
 /// where the ball works on `faces`, a mesh of some of the part's faces. Along a cut the limits are found to the
 /// tolerance; a stretch shorter than a quarter of the radius may be missed. It has no moves if the ball comes
 /// on none of them. Errors: InputError as of require_valid. If `progress` asks for a stop, the path is what was
 /// done so far.
-ToolPath over_faces(const ToolPath& path, const TriangleBvh& part, const TriangleBvh& faces,
-                    const CopyOptions& options, const Progress& progress = {});
+ToolPath over_faces(const ToolPath& path, const mesh::TriangleBvh& part,
+                    const mesh::TriangleBvh& faces, const CopyOptions& options,
+                    const Progress& progress = {});
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

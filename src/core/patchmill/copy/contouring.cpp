@@ -8,7 +8,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 PlanarGrid level_grid(const CopyOptions& options, double pitch) {
@@ -21,8 +21,8 @@ double chord_step(const CopyOptions& options) {
 }
 
 // The segments of curves as triangles of no width, so that the tree finds the nearest one.
-TriangleMesh ribbons(const std::vector<Polyline>& curves) {
-  TriangleMesh mesh;
+mesh::TriangleMesh ribbons(const std::vector<Polyline>& curves) {
+  mesh::TriangleMesh mesh;
   for (const Polyline& curve : curves) {
     const auto first = static_cast<std::int32_t>(mesh.vertices.size());
     const auto n = static_cast<std::int32_t>(curve.points.size());
@@ -34,7 +34,7 @@ TriangleMesh ribbons(const std::vector<Polyline>& curves) {
 }
 
 // The runs of a curve that lie over the stock, a little beyond its edge.
-void clip_to_stock(const Polyline& curve, const Box& stock, double beyond,
+void clip_to_stock(const Polyline& curve, const mesh::Box& stock, double beyond,
                    std::vector<Polyline>& out) {
   const auto over = [&](const Vec2& p) {
     return (p.array() >= stock.lo.head<2>().array() - beyond).all() &&
@@ -64,13 +64,14 @@ void clip_to_stock(const Polyline& curve, const Box& stock, double beyond,
 // A probe for each thread; places that follow each other are near.
 using Probes = tbb::enumerable_thread_specific<DropProbe>;
 
-Probes probes(const TriangleBvh& part, const CopyOptions& options) {
+Probes probes(const mesh::TriangleBvh& part, const CopyOptions& options) {
   return Probes(DropProbe(part, options.tool.radius + options.allowance));
 }
 
 }  // namespace
 
-std::vector<Polyline> ball_contours(const TriangleBvh& part, double z, const CopyOptions& options) {
+std::vector<Polyline> ball_contours(const mesh::TriangleBvh& part, double z,
+                                    const CopyOptions& options) {
   Probes probe = probes(part, options);
   const auto height = [&](const Vec2& p) { return z - probe.local()(p.x(), p.y()); };
   // free where positive: the part on the left of curves with f < 0 there; turned round below
@@ -81,14 +82,14 @@ std::vector<Polyline> ball_contours(const TriangleBvh& part, double z, const Cop
 }
 
 std::vector<Polyline> around_contours(const std::vector<Polyline>& contours,
-                                      const TriangleBvh& part, double z, double distance,
+                                      const mesh::TriangleBvh& part, double z, double distance,
                                       const CopyOptions& options) {
-  const TriangleMesh mesh = ribbons(contours);
+  const mesh::TriangleMesh mesh = ribbons(contours);
   if (mesh.triangles.empty()) return {};
-  const TriangleBvh tree(mesh);
+  const mesh::TriangleBvh tree(mesh);
   Probes probe = probes(part, options);
   const auto beyond = [&](const Vec2& p) {
-    const double d = closest_point(tree, Vec3(p.x(), p.y(), 0.0)).distance;
+    const double d = mesh::closest_point(tree, Vec3(p.x(), p.y(), 0.0)).distance;
     return probe.local()(p.x(), p.y()) > z ? -distance - d : d - distance;
   };
   std::vector<Polyline> inside;
@@ -100,4 +101,4 @@ std::vector<Polyline> around_contours(const std::vector<Polyline>& contours,
   return inside;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -7,14 +7,15 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::copy {
 
 /// Curves on which the resting ball's centre has height `z`: the part lies on their right.
-std::vector<Polyline> ball_contours(const TriangleBvh& part, double z, const CopyOptions& options);
+std::vector<Polyline> ball_contours(const mesh::TriangleBvh& part, double z,
+                                    const CopyOptions& options);
 
 /// Curves at `distance` [mm, > 0] from the contours, on their free side, within the stock.
 std::vector<Polyline> around_contours(const std::vector<Polyline>& contours,
-                                      const TriangleBvh& part, double z, double distance,
+                                      const mesh::TriangleBvh& part, double z, double distance,
                                       const CopyOptions& options);
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

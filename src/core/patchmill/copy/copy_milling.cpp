@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 
 void require_valid(const CopyOptions& o) {
   require_positive("tool radius", o.tool.radius, "mm");
@@ -74,7 +74,7 @@ void cut_runs(const Runs& runs, double y, bool backwards, PathBuilder& builder) 
   }
 }
 
-CopiedPath scan(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
+CopiedPath scan(const mesh::TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
   PathBuilder builder(o);
   const std::vector<double> level = levels(o), y = planes(o);
   const double x0 = o.stock.lo.x() - o.tool.radius, x1 = o.stock.hi.x() + o.tool.radius;
@@ -134,7 +134,8 @@ Runs refined(Runs runs, double step) {
   return runs;
 }
 
-CopiedPath scan_undercut(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
+CopiedPath scan_undercut(const mesh::TriangleBvh& part, const CopyOptions& o,
+                         const Progress& progress) {
   DropProbe probe(part, o.tool.radius + o.allowance);
   PathBuilder builder(
       o, [&](const Vec3& c) { return probe(c.x(), c.y()) <= c.z() + 0.5 * o.tolerance; });
@@ -161,7 +162,7 @@ void cut_curve(const Polyline& curve, double z, PathBuilder& builder) {
   builder.cut(centres);
 }
 
-CopiedPath contour(const TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
+CopiedPath contour(const mesh::TriangleBvh& part, const CopyOptions& o, const Progress& progress) {
   PathBuilder builder(o);
   const std::vector<double> level = levels(o), y = planes(o);
   for (std::size_t k = 0; k < level.size(); ++k) {
@@ -184,7 +185,7 @@ CopiedPath contour(const TriangleBvh& part, const CopyOptions& o, const Progress
 
 }  // namespace
 
-CopiedPath copy_mill(const TriangleBvh& part, const CopyOptions& options,
+CopiedPath copy_mill(const mesh::TriangleBvh& part, const CopyOptions& options,
                      const Progress& progress) {
   require_valid(options);
   if (options.mode == CopyMode::Contour) return contour(part, options, progress);
@@ -197,4 +198,4 @@ double scallop_height(double radius, double cross_feed) {
   return half < radius ? radius - std::sqrt(radius * radius - half * half) : radius;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -19,7 +19,7 @@
 #include "patchmill/mesh/triangle_bvh.h"
 #include "patchmill/path/tool_path.h"
 
-namespace patchmill {
+namespace patchmill::copy {
 
 enum class CopyMode {
   Scanning,          ///< planes y = const, the tool upright and clear of every overhang
@@ -36,7 +36,7 @@ struct CopyOptions {
   double axial_depth = 0.0;   ///< between levels [mm], > 0
   double tolerance = 0.01;    ///< of the path from the exact curve [mm], in [1e-4, R]
   double allowance = 0.0;     ///< left on the part [mm], >= 0
-  Box stock;                  ///< what there is to cut [mm]
+  mesh::Box stock;            ///< what there is to cut [mm]
   double clearance = 5.0;     ///< rapids run this far above the stock [mm], > 0
   /// How far scanning lines go on beyond the stock in y [mm], in [0, R]: a slope that falls towards that edge
   /// by the angle a is finished by a ball centre R sin(a) beyond it.
@@ -54,11 +54,11 @@ struct CopiedPath {
 
 /// The path over the part. Errors: InputError for an option out of range or a stock of no volume.
 /// If `progress` asks for a stop, the path is what was done so far.
-CopiedPath copy_mill(const TriangleBvh& part, const CopyOptions& options,
+CopiedPath copy_mill(const mesh::TriangleBvh& part, const CopyOptions& options,
                      const Progress& progress = {});
 
 /// Height of the ridge that a ball of radius R leaves on a flat between passes `cross_feed` apart
 /// [mm].
 double scallop_height(double radius, double cross_feed);
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

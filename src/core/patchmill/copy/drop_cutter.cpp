@@ -11,7 +11,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 struct Ball {
@@ -48,7 +48,7 @@ double touch_edge(const Vec3& p, const Vec3& q, const Ball& ball) {
 // ball that touches p, z(p) + sqrt(R^2 - |c - p|^2), is concave. Its peak is where the ball rests on the
 // plane, q; if that is not in the triangle, the highest place of the triangle is on an edge which q lies
 // beyond, for from there the height grows all the way to q.
-double touch_triangle(const Triangle& t, const Ball& ball) {
+double touch_triangle(const mesh::Triangle& t, const Ball& ball) {
   const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
   const double size = normal.norm(), turn = normal.z() > 0.0 ? 1.0 : -1.0;
   double beyond_ab = -1.0, beyond_bc = -1.0, beyond_ca = -1.0;
@@ -74,17 +74,18 @@ double touch_triangle(const Triangle& t, const Ball& ball) {
 
 }  // namespace
 
-double drop_ball(const TriangleBvh& bvh, double x, double y, double radius) {
+double drop_ball(const mesh::TriangleBvh& bvh, double x, double y, double radius) {
   DropSearch search(bvh, x, y, radius);
   search.look_at_all();
   return search.height();
 }
 
-double drop_ball_on(const Triangle& triangle, double x, double y, double radius) {
+double drop_ball_on(const mesh::Triangle& triangle, double x, double y, double radius) {
   return touch_triangle(triangle, {x, y, radius, radius * radius});
 }
 
-std::vector<double> drop_balls(const TriangleBvh& bvh, const std::vector<Vec2>& xy, double radius) {
+std::vector<double> drop_balls(const mesh::TriangleBvh& bvh, const std::vector<Vec2>& xy,
+                               double radius) {
   std::vector<double> z(xy.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, xy.size()), [&](const auto& some) {
     DropProbe probe(bvh, radius);
@@ -93,4 +94,4 @@ std::vector<double> drop_balls(const TriangleBvh& bvh, const std::vector<Vec2>& 
   return z;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

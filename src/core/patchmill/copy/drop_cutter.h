@@ -12,18 +12,19 @@
 #include <limits>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::copy {
 
 constexpr double kNoContact = -std::numeric_limits<double>::infinity();
 
 /// Height z of the centre of a ball of `radius` [mm, > 0] that rests on the mesh with its centre
 /// over (x, y); kNoContact where no triangle is within its reach. Exact to rounding.
-double drop_ball(const TriangleBvh& bvh, double x, double y, double radius);
+double drop_ball(const mesh::TriangleBvh& bvh, double x, double y, double radius);
 
 /// The same for one triangle [mm].
-double drop_ball_on(const Triangle& triangle, double x, double y, double radius);
+double drop_ball_on(const mesh::Triangle& triangle, double x, double y, double radius);
 
 /// Heights for many points [mm], in parallel; the quicker, the nearer each is to the one before.
-std::vector<double> drop_balls(const TriangleBvh& bvh, const std::vector<Vec2>& xy, double radius);
+std::vector<double> drop_balls(const mesh::TriangleBvh& bvh, const std::vector<Vec2>& xy,
+                               double radius);
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

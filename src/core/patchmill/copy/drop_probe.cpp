@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 constexpr double kSteepest = 20.0;            // of a floor; a steeper contact has no zone
@@ -19,9 +19,9 @@ constexpr double kAhead = 0.9;                        // of a half is where the 
 
 }  // namespace
 
-DropProbe::DropProbe(const TriangleBvh& bvh, double radius)
+DropProbe::DropProbe(const mesh::TriangleBvh& bvh, double radius)
     : bvh_(&bvh), radius_(radius), bend_(1.0 / radius) {
-  const BvhNode& all = bvh.nodes()[0];
+  const mesh::BvhNode& all = bvh.nodes()[0];
   const double size = (all.hi - all.lo).head<2>().maxCoeff();
   length_ = size * std::sqrt(8.0 / double(bvh.triangles().size()));
 }
@@ -66,7 +66,7 @@ bool DropProbe::in_zone(const Vec2& p) const {
 double DropProbe::highest_in_zone(const Vec2& p, double floor) {
   DropSearch search(*bvh_, p.x(), p.y(), radius_, floor);
   search.touch(triangle_);
-  for (const DropLeaf& leaf : zone_.leaves) search.look_at(leaf);
+  for (const mesh::DropLeaf& leaf : zone_.leaves) search.look_at(leaf);
   if (search.triangle() >= 0) triangle_ = search.triangle();
   return search.height();
 }
@@ -88,7 +88,7 @@ bool DropProbe::make_zone(const Vec2& p, double height) {
   zone_.hi = Vec2::Zero();
   if (height == kNoContact || step == 0.0 || length_ < step) return false;
   const Vec3 centre(p.x(), p.y(), height);
-  const Vec3 up = centre - closest_on(bvh_->triangles()[triangle_], centre);
+  const Vec3 up = centre - mesh::closest_on(bvh_->triangles()[triangle_], centre);
   if (up.z() * kSteepest < radius_) return false;
   const double steps = std::min(length_ / step, kSteps);
   const Vec2 half = steps * spread_, middle = p + kAhead * steps * drift_;
@@ -99,8 +99,8 @@ bool DropProbe::make_zone(const Vec2& p, double height) {
   const double reach = ((middle - p).cwiseAbs() + half).norm();
   zone_.margin = 0.5 * bend_ * reach * reach;
   const double floor = height + zone_.slope.dot(middle - p) - zone_.margin;
-  const std::size_t count = gather(
-      drop_floor_over(bvh_->drops(), middle - half, middle + half, zone_.slope, floor, radius_));
+  const std::size_t count = gather(mesh::drop_floor_over(
+      bvh_->drops(), middle - half, middle + half, zone_.slope, floor, radius_));
   if (count > kMany) length_ *= 0.7;
   if (count < kFew && length_ < kSteps * step) length_ *= 1.4;
   if (count > kMost) return false;
@@ -111,18 +111,18 @@ bool DropProbe::make_zone(const Vec2& p, double height) {
 }
 
 // The triangles that can lift the ball above the floor; their number.
-std::size_t DropProbe::gather(const DropFloor& floor) {
-  const DropTree& tree = bvh_->drops();
+std::size_t DropProbe::gather(const mesh::DropFloor& floor) {
+  const mesh::DropTree& tree = bvh_->drops();
   zone_.leaves.clear();
   std::size_t count = 0;
-  const auto keep = [&](const DropLeaf& leaf) {
-    for (unsigned bits = drop_above(leaf, floor); bits != 0; bits &= bits - 1) {
-      const int lane = static_cast<int>(count++ % kDropWidth);
-      if (lane == 0) zone_.leaves.push_back(empty_drop_leaf());
-      copy_triangle(leaf, __builtin_ctz(bits), zone_.leaves.back(), lane);
+  const auto keep = [&](const mesh::DropLeaf& leaf) {
+    for (unsigned bits = mesh::drop_above(leaf, floor); bits != 0; bits &= bits - 1) {
+      const int lane = static_cast<int>(count++ % mesh::kDropWidth);
+      if (lane == 0) zone_.leaves.push_back(mesh::empty_drop_leaf());
+      mesh::copy_triangle(leaf, __builtin_ctz(bits), zone_.leaves.back(), lane);
     }
   };
-  std::int32_t stack[16 * kDropWidth];  // a tree of 2^31 triangles is ten nodes deep
+  std::int32_t stack[16 * mesh::kDropWidth];  // a tree of 2^31 triangles is ten nodes deep
   int top = 0;
   for (stack[top++] = 0; top > 0 && count <= kMost;) {
     const std::int32_t at = stack[--top];
@@ -130,11 +130,11 @@ std::size_t DropProbe::gather(const DropFloor& floor) {
       keep(tree.leaves()[~at]);
       continue;
     }
-    const DropNode& node = tree.nodes()[at];
-    for (unsigned bits = drop_above(node, floor); bits != 0; bits &= bits - 1)
+    const mesh::DropNode& node = tree.nodes()[at];
+    for (unsigned bits = mesh::drop_above(node, floor); bits != 0; bits &= bits - 1)
       stack[top++] = node.child[__builtin_ctz(bits)];
   }
   return count;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -15,12 +15,12 @@
 #include "patchmill/copy/drop_cutter.h"
 #include "patchmill/mesh/drop_bounds.h"
 
-namespace patchmill {
+namespace patchmill::copy {
 
 class DropProbe {
  public:
   /// `radius` of the ball [mm, > 0]. The tree must outlive the probe. A probe serves one thread.
-  DropProbe(const TriangleBvh& bvh, double radius);
+  DropProbe(const mesh::TriangleBvh& bvh, double radius);
 
   /// Height z [mm] of the ball's centre over (x, y) [mm], kNoContact where nothing holds it: the same as
   /// drop_ball(bvh, x, y, radius), to the last bit, whatever places came before.
@@ -31,18 +31,18 @@ class DropProbe {
     Vec2 lo = Vec2::Ones(), hi = Vec2::Zero();     // none while lo > hi
     Vec2 at = Vec2::Zero(), slope = Vec2::Zero();  // P(p) = height + slope . (p - at) - margin
     double height = 0.0, margin = 0.0;
-    double reach = 0.0;            // from `at` to the furthest place of the zone
-    double sag = 0.0;              // largest fall of the heights below P + margin
-    std::vector<DropLeaf> leaves;  // its triangles, eight by eight
+    double reach = 0.0;                  // from `at` to the furthest place of the zone
+    double sag = 0.0;                    // largest fall of the heights below P + margin
+    std::vector<mesh::DropLeaf> leaves;  // its triangles, eight by eight
   };
   void follow(const Vec2& p);
   bool in_zone(const Vec2& p) const;
   double highest_in_zone(const Vec2& p, double floor);
   void learn_bend();
   bool make_zone(const Vec2& p, double height);
-  std::size_t gather(const DropFloor& floor);
+  std::size_t gather(const mesh::DropFloor& floor);
 
-  const TriangleBvh* bvh_;
+  const mesh::TriangleBvh* bvh_;
   double radius_;
   std::int32_t triangle_ = -1;  // on which the ball rested last
   Zone zone_;
@@ -52,4 +52,4 @@ class DropProbe {
   bool begun_ = false;
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

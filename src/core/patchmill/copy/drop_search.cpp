@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 // The children whose bits are set, the one of the highest bound first.
 template <typename Visit>
-void highest_first(unsigned children, const DropNode::Row& bound, const Visit& visit) {
+void highest_first(unsigned children, const mesh::DropNode::Row& bound, const Visit& visit) {
   while (children != 0) {
     int highest = __builtin_ctz(children);
     for (unsigned rest = children & (children - 1); rest != 0; rest &= rest - 1) {
@@ -27,11 +27,11 @@ struct Stack {
     std::int32_t child;  // as in DropNode
     float bound;
   };
-  Item item[16 * kDropWidth];  // a tree of 2^31 triangles is ten nodes deep
+  Item item[16 * mesh::kDropWidth];  // a tree of 2^31 triangles is ten nodes deep
   int top = 0;
 
   // The children whose bits are set, above what is there; of these the highest on top.
-  void push(const DropNode& node, unsigned children, const DropNode::Row& bound) {
+  void push(const mesh::DropNode& node, unsigned children, const mesh::DropNode::Row& bound) {
     const int first = top;
     for (; children != 0; children &= children - 1) {
       const int i = __builtin_ctz(children);
@@ -44,14 +44,15 @@ struct Stack {
 
 }  // namespace
 
-DropSearch::DropSearch(const TriangleBvh& bvh, double x, double y, double radius, double floor)
+DropSearch::DropSearch(const mesh::TriangleBvh& bvh, double x, double y, double radius,
+                       double floor)
     : bvh_(bvh),
       x_(x),
       y_(y),
       radius_(radius),
       floor_(floor),
-      ball_(drop_ball_over(bvh.drops(), x, y, radius)),
-      lowest_(drop_floor(bvh.drops(), floor)) {}
+      ball_(mesh::drop_ball_over(bvh.drops(), x, y, radius)),
+      lowest_(mesh::drop_floor(bvh.drops(), floor)) {}
 
 void DropSearch::touch(std::int32_t triangle) {
   const double height = drop_ball_on(bvh_.triangles()[triangle], x_, y_, radius_);
@@ -59,12 +60,12 @@ void DropSearch::touch(std::int32_t triangle) {
   if (height <= height_) return;
   height_ = height;
   triangle_ = triangle;
-  lowest_ = drop_floor(bvh_.drops(), std::max(height, floor_));
+  lowest_ = mesh::drop_floor(bvh_.drops(), std::max(height, floor_));
 }
 
-void DropSearch::look_at(const DropLeaf& leaf) {
-  DropNode::Row bound;
-  highest_first(drop_bounds(leaf, ball_, lowest_, bound), bound, [&](int i) {
+void DropSearch::look_at(const mesh::DropLeaf& leaf) {
+  mesh::DropNode::Row bound;
+  highest_first(mesh::drop_bounds(leaf, ball_, lowest_, bound), bound, [&](int i) {
     if (bound[i] <= lowest_) return false;
     if (leaf.node.child[i] != guess_) touch(leaf.node.child[i]);
     return true;
@@ -72,11 +73,11 @@ void DropSearch::look_at(const DropLeaf& leaf) {
 }
 
 void DropSearch::look_at_all() {
-  const DropTree& tree = bvh_.drops();
-  DropNode::Row bound;
+  const mesh::DropTree& tree = bvh_.drops();
+  mesh::DropNode::Row bound;
   Stack stack;
-  const auto open = [&](const DropNode& node) {
-    stack.push(node, drop_bounds(node, ball_, lowest_, bound), bound);
+  const auto open = [&](const mesh::DropNode& node) {
+    stack.push(node, mesh::drop_bounds(node, ball_, lowest_, bound), bound);
   };
   open(tree.nodes()[0]);
   while (stack.top > 0) {
@@ -89,4 +90,4 @@ void DropSearch::look_at_all() {
   }
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

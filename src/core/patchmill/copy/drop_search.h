@@ -7,12 +7,13 @@
 #include "patchmill/copy/drop_cutter.h"
 #include "patchmill/mesh/drop_bounds.h"
 
-namespace patchmill {
+namespace patchmill::copy {
 
 class DropSearch {
  public:
   /// For a ball of `radius` [mm, > 0] over (x, y) [mm]. What does not lift it above `floor` may be left out.
-  DropSearch(const TriangleBvh& bvh, double x, double y, double radius, double floor = kNoContact);
+  DropSearch(const mesh::TriangleBvh& bvh, double x, double y, double radius,
+             double floor = kNoContact);
 
   double height() const { return height_; }  ///< best so far [mm]; kNoContact: none
   std::int32_t triangle() const {
@@ -22,16 +23,16 @@ class DropSearch {
   /// Tries a triangle by its index; first of all one that is likely to be the highest.
   void touch(std::int32_t triangle);
   /// Tries the triangles of a leaf that can be higher than the best so far, or the whole tree's.
-  void look_at(const DropLeaf& leaf);
+  void look_at(const mesh::DropLeaf& leaf);
   void look_at_all();
 
  private:
-  const TriangleBvh& bvh_;
+  const mesh::TriangleBvh& bvh_;
   double x_, y_, radius_, floor_;
-  DropBall ball_;
+  mesh::DropBall ball_;
   double height_ = kNoContact;
   float lowest_;  // what a bound must be above
   std::int32_t triangle_ = -1, guess_ = -1;
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 // Edges are numbered 2 * node for the one along +u, 2 * node + 1 for the one along +v.
@@ -115,4 +115,4 @@ std::vector<Polyline> level_curves(const PlanarGrid& grid, const PlanarFunction&
   return curves;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

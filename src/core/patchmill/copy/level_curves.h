@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::copy {
 
 /// Nodes at origin + pitch (i, j), 0 <= i < columns, 0 <= j < rows.
 struct PlanarGrid {
@@ -37,4 +37,4 @@ using PlanarFunction = std::function<double(const Vec2&)>;
 std::vector<Polyline> level_curves(const PlanarGrid& grid, const PlanarFunction& f,
                                    double tolerance);
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

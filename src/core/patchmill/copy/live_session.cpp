@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 constexpr double kSame = 1e-9;  // [mm]
@@ -46,8 +46,9 @@ std::vector<Vec2> beyond(const std::vector<Vec2>& profile, double x, bool backwa
 
 }  // namespace
 
-LiveSession::LiveSession(const TriangleBvh& part, const VoxelGrid& grid, const CopyOptions& options,
-                         const FeedLimits& feed, const DcmOptions& dcm, FeedFactors factors)
+LiveSession::LiveSession(const mesh::TriangleBvh& part, const voxel::VoxelGrid& grid,
+                         const CopyOptions& options, const dcm::FeedLimits& feed,
+                         const dcm::DcmOptions& dcm, dcm::FeedFactors factors)
     : part_(part), grid_(grid), options_(options), dcm_(dcm), factors_(std::move(factors)) {
   if (options.mode != CopyMode::Scanning)
     throw InputError("Mode", "not Scanning", "a live session cuts scanning lines.");
@@ -60,9 +61,9 @@ LiveSession::LiveSession(const TriangleBvh& part, const VoxelGrid& grid, const C
   height_[-std::numeric_limits<double>::infinity()] = options.stock.hi.z() + options.tool.radius;
 }
 
-FeedField LiveSession::field_of(const FeedLimits& limits) const {
-  FeedField field = steady_feed(grid_, limits);
-  if (!factors_.material.empty()) scale_feed(field, factors_.material, factors_.factor);
+dcm::FeedField LiveSession::field_of(const dcm::FeedLimits& limits) const {
+  dcm::FeedField field = dcm::steady_feed(grid_, limits);
+  if (!factors_.material.empty()) dcm::scale_feed(field, factors_.material, factors_.factor);
   return field;
 }
 
@@ -192,7 +193,7 @@ ToolPath LiveSession::next(double seconds) {
     batch.moves.push_back(move);
     at_ = step.centre;
   }
-  return apply_dcm(batch, grid_, &feed_, nullptr, dcm_);
+  return dcm::apply_dcm(batch, grid_, &feed_, nullptr, dcm_);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -17,12 +17,12 @@
 #include <map>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::copy {
 
 struct LiveConditions {
   double radial_depth = 0.0;  ///< [mm], > 0
   double axial_depth = 0.0;   ///< [mm], > 0
-  FeedLimits feed;            ///< V_Lo, V_Hi [mm/s]
+  dcm::FeedLimits feed;       ///< V_Lo, V_Hi [mm/s]
 };
 
 class LiveSession {
@@ -30,8 +30,9 @@ class LiveSession {
   /// `part` and `grid` must live as long as the session. The mode of `options` must be Scanning; its depths
   /// are the first conditions. `factors` hold for all feed limits that are given. Errors: InputError as
   /// copy_mill, steady_feed and scale_feed, or naming the mode.
-  LiveSession(const TriangleBvh& part, const VoxelGrid& grid, const CopyOptions& options,
-              const FeedLimits& feed, const DcmOptions& dcm = {}, FeedFactors factors = {});
+  LiveSession(const mesh::TriangleBvh& part, const voxel::VoxelGrid& grid,
+              const CopyOptions& options, const dcm::FeedLimits& feed,
+              const dcm::DcmOptions& dcm = {}, dcm::FeedFactors factors = {});
 
   /// The next moves: a path of at most `seconds` [s, > 0] of timed moves from where the last one ended;
   /// without moves once all is cut. No more than one base move is planned beyond it.
@@ -54,18 +55,18 @@ class LiveSession {
   bool plan_line();
   void plan_runs(const std::vector<Vec2>& profile, bool go_on);
   void replan_line();
-  FeedField field_of(const FeedLimits& limits) const;
+  dcm::FeedField field_of(const dcm::FeedLimits& limits) const;
   double material(double y_from, double y_to) const;
   void set_material(double y_from, double y_to, double height);
 
-  const TriangleBvh& part_;
-  const VoxelGrid& grid_;
+  const mesh::TriangleBvh& part_;
+  const voxel::VoxelGrid& grid_;
   CopyOptions options_;
-  DcmOptions dcm_;
-  FeedFactors factors_;
+  dcm::DcmOptions dcm_;
+  dcm::FeedFactors factors_;
   double slowest_ = 1.0;  // least factor on the feed
   LiveConditions conditions_;
-  FeedField feed_;
+  dcm::FeedField feed_;
   std::map<double, double> height_;  // from this y on, up to the next key: of the ball centre [mm]
   std::vector<Vec2> profile_;        // of the present line, in the sense of cutting
   std::deque<Step> steps_;
@@ -74,4 +75,4 @@ class LiveSession {
   bool first_in_layer_ = true, backwards_ = false, done_ = false;
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

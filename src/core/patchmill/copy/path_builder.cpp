@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/copy/path_builder.h"
 
-namespace patchmill {
+namespace patchmill::copy {
 
 PathBuilder::PathBuilder(const CopyOptions& options, FreeAbove free_above)
     : options_(options),
@@ -66,4 +66,4 @@ CopiedPath PathBuilder::finish() {
   return {std::move(path_), unreached_};
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::copy {
 
 /// True where nothing of the part is above a ball with this centre [mm].
 using FreeAbove = std::function<bool(const Vec3& centre)>;
@@ -36,4 +36,4 @@ class PathBuilder {
   ToolPath path_;
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

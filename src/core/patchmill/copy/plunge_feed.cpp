@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace patchmill {
+namespace patchmill::copy {
 
 ToolPath with_plunge_feed(ToolPath path, double vertical) {
   require_positive("VertFeed", vertical, "mm/s");
@@ -20,4 +20,4 @@ ToolPath with_plunge_feed(ToolPath path, double vertical) {
   return path;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -7,10 +7,10 @@
 
 #include "patchmill/path/tool_path.h"
 
-namespace patchmill {
+namespace patchmill::copy {
 
 /// `path` with no timed move going down faster than `vertical` [mm/s], > 0; places stay as they are, and what
 /// is slower already. Errors: InputError naming VertFeed.
 ToolPath with_plunge_feed(ToolPath path, double vertical);
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::copy {
 namespace {
 
 double ball_radius(const CopyOptions& options) {
@@ -52,7 +52,7 @@ Vec2 at_height(const Vec2& a, const Vec2& b, double z) {
 
 }  // namespace
 
-std::vector<Vec2> probe_profile(const TriangleBvh& part, double y, double x0, double x1,
+std::vector<Vec2> probe_profile(const mesh::TriangleBvh& part, double y, double x0, double x1,
                                 double floor, const CopyOptions& options) {
   Probe probe{DropProbe(part, ball_radius(options)), y, floor, options.tolerance};
   const int steps = std::max(1, static_cast<int>(std::ceil((x1 - x0) / chord_step(options))));
@@ -91,18 +91,16 @@ std::vector<std::vector<Vec2>> layer_of(const std::vector<Vec2>& profile, double
   return runs;
 }
 
-std::vector<Polyline> offset_section(const TriangleBvh& part, double y,
+std::vector<Polyline> offset_section(const mesh::TriangleBvh& part, double y,
                                      const CopyOptions& options) {
   const double radius = ball_radius(options), margin = 2.0 * radius;
-  const BvhNode& all = part.nodes()[0];
+  const mesh::BvhNode& all = part.nodes()[0];
   const PlanarGrid grid =
       planar_grid({all.lo.x() - margin, all.lo.z() - margin},
                   {all.hi.x() + margin, all.hi.z() + margin}, 0.7 * chord_step(options));
   const auto distance = [&](const Vec2& p) {
     const Vec3 c(p.x(), y, p.y());
-    const auto cross = line_crossings(part, c.y(), c.z());
-    const auto before = std::upper_bound(cross.begin(), cross.end(), c.x()) - cross.begin();
-    return before % 2 == 1 ? -1.0 : closest_point(part, c).distance - radius;
+    return mesh::inside(part, c) ? -1.0 : mesh::closest_point(part, c).distance - radius;
   };
   return level_curves(grid, distance, 0.1 * options.tolerance);
 }
@@ -129,4 +127,4 @@ std::vector<std::vector<Vec2>> free_intervals(const std::vector<Polyline>& secti
   return free;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::copy

@@ -8,13 +8,14 @@
 #include <bitset>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 constexpr int kSub = 4;
 
-bool to_remove(VoxelKind kind) {
-  return kind == VoxelKind::Removal || kind == VoxelKind::Surface || kind == VoxelKind::Exterior;
+bool to_remove(voxel::VoxelKind kind) {
+  return kind == voxel::VoxelKind::Removal || kind == voxel::VoxelKind::Surface ||
+         kind == voxel::VoxelKind::Exterior;
 }
 
 // The places of a move, a quarter of a voxel apart, and at which of them the tool was in air.
@@ -40,18 +41,18 @@ struct RemainingStock::Tool {
   }
 };
 
-RemainingStock::RemainingStock(const VoxelGrid& grid, ToolEnd end)
+RemainingStock::RemainingStock(const voxel::VoxelGrid& grid, ToolEnd end)
     : grid_(grid), end_(end), left_(grid.table.size()), emptied_(grid.table.size(), 0) {}
 
 RemainingStock::Samples RemainingStock::whole(std::size_t brick) const {
   Samples samples;
-  for (int i = 0; i < kBrickCells; ++i)
-    samples[i] = to_remove(grid_.kind[brick * kBrickCells + i]) ? ~std::uint64_t{0} : 0;
+  for (int i = 0; i < voxel::kBrickCells; ++i)
+    samples[i] = to_remove(grid_.kind[brick * voxel::kBrickCells + i]) ? ~std::uint64_t{0} : 0;
   return samples;
 }
 
 bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, double radius) {
-  const GridFrame& frame = grid_.frame;
+  const voxel::GridFrame& frame = grid_.frame;
   const Tool tool{centre, axis, radius, end_};
   // up to where the cylinder leaves the grid's box
   const Vec3 size = frame.pitch * frame.cells.cast<double>();
@@ -59,38 +60,38 @@ bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, double radius) {
   const Vec3 end = centre + height * axis;
   // the rim of a flat end, which may lean, is further from the centre than a ball
   const double reach = end_ == ToolEnd::Flat ? std::sqrt(2.0) * radius : radius;
-  Cell lo, hi;  // cells, hi not among them
+  voxel::Cell lo, hi;  // cells, hi not among them
   for (int k = 0; k < 3; ++k) {
     const double a = (std::min(centre[k], end[k]) - reach - frame.origin[k]) / frame.pitch;
     const double b = (std::max(centre[k], end[k]) + reach - frame.origin[k]) / frame.pitch;
     lo[k] = static_cast<int>(std::clamp(std::floor(a), 0.0, double(frame.cells[k])));
     hi[k] = static_cast<int>(std::clamp(std::floor(b) + 1.0, 0.0, double(frame.cells[k])));
   }
-  const double half_diagonal = 0.5 * std::sqrt(3.0) * kBrickSide * frame.pitch;
+  const double half_diagonal = 0.5 * std::sqrt(3.0) * voxel::kBrickSide * frame.pitch;
   bool found = false;
-  Cell p;
-  for (p.z() = lo.z() / kBrickSide; p.z() * kBrickSide < hi.z(); ++p.z())
-    for (p.y() = lo.y() / kBrickSide; p.y() * kBrickSide < hi.y(); ++p.y())
-      for (p.x() = lo.x() / kBrickSide; p.x() * kBrickSide < hi.x(); ++p.x()) {
+  voxel::Cell p;
+  for (p.z() = lo.z() / voxel::kBrickSide; p.z() * voxel::kBrickSide < hi.z(); ++p.z())
+    for (p.y() = lo.y() / voxel::kBrickSide; p.y() * voxel::kBrickSide < hi.y(); ++p.y())
+      for (p.x() = lo.x() / voxel::kBrickSide; p.x() * voxel::kBrickSide < hi.x(); ++p.x()) {
         const std::int32_t brick = grid_.table.find(p);
-        if (brick == kNoBrick || emptied_[brick]) continue;
-        const Vec3 middle =
-            frame.origin + frame.pitch * kBrickSide * (p.cast<double>() + Vec3::Constant(0.5));
+        if (brick == voxel::kNoBrick || emptied_[brick]) continue;
+        const Vec3 middle = frame.origin + frame.pitch * voxel::kBrickSide *
+                                               (p.cast<double>() + Vec3::Constant(0.5));
         if (tool.holds(middle, half_diagonal)) found |= cut_brick(brick, lo, hi, tool);
       }
   return found;
 }
 
-bool RemainingStock::cut_brick(std::size_t brick, const Cell& lo, const Cell& hi,
+bool RemainingStock::cut_brick(std::size_t brick, const voxel::Cell& lo, const voxel::Cell& hi,
                                const Tool& tool) {
-  const GridFrame& frame = grid_.frame;
+  const voxel::GridFrame& frame = grid_.frame;
   const double half_diagonal = 0.5 * std::sqrt(3.0) * frame.pitch;
   if (!left_[brick]) left_[brick] = std::make_unique<Samples>(whole(brick));
   Samples& left = *left_[brick];
-  const Cell first = first_cell(grid_.table, brick);
+  const voxel::Cell first = voxel::first_cell(grid_.table, brick);
   bool found = false;
-  for (int i = 0; i < kBrickCells; ++i) {
-    const Cell c = first + Cell(i % 8, i / 8 % 8, i / 64);
+  for (int i = 0; i < voxel::kBrickCells; ++i) {
+    const voxel::Cell c = first + voxel::Cell(i % 8, i / 8 % 8, i / 64);
     if (left[i] == 0 || (c.array() < lo.array()).any() || (c.array() >= hi.array()).any()) continue;
     if (!tool.holds(frame.centre(c), half_diagonal)) continue;
     const Vec3 low = frame.origin + frame.pitch * c.cast<double>();
@@ -168,8 +169,8 @@ void check(const ToolPath& path, const AirCutOptions& options) {
 
 }  // namespace
 
-ToolPath hurry_in_air(const ToolPath& path, const VoxelGrid& grid, const AirCutOptions& options,
-                      std::vector<std::int64_t>* source) {
+ToolPath hurry_in_air(const ToolPath& path, const voxel::VoxelGrid& grid,
+                      const AirCutOptions& options, std::vector<std::int64_t>* source) {
   check(path, options);
   const double step = 0.25 * grid.frame.pitch, radius = path.tool.radius;
   const double shortest = options.shortest > 0.0 ? options.shortest : grid.frame.pitch;
@@ -216,4 +217,4 @@ ToolPath hurry_in_air(const ToolPath& path, const VoxelGrid& grid, const AirCutO
   return out;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

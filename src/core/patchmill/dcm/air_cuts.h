@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::dcm {
 
 enum class ToolEnd {
   Ball,
@@ -24,7 +24,7 @@ enum class ToolEnd {
 /// long.
 class RemainingStock {
  public:
-  explicit RemainingStock(const VoxelGrid& grid, ToolEnd end = ToolEnd::Ball);
+  explicit RemainingStock(const voxel::VoxelGrid& grid, ToolEnd end = ToolEnd::Ball);
 
   /// Takes away what the tool holds: the ball of `radius` [mm] at the centre and the cylinder of that radius
   /// above it. Returns whether anything was there.
@@ -38,11 +38,11 @@ class RemainingStock {
 
  private:
   struct Tool;
-  using Samples = std::array<std::uint64_t, kBrickCells>;  // per cell; bit x + 4 y + 16 z
+  using Samples = std::array<std::uint64_t, voxel::kBrickCells>;  // per cell; bit x + 4 y + 16 z
   Samples whole(std::size_t brick) const;
-  bool cut_brick(std::size_t brick, const Cell& lo, const Cell& hi, const Tool& tool);
+  bool cut_brick(std::size_t brick, const voxel::Cell& lo, const voxel::Cell& hi, const Tool& tool);
 
-  const VoxelGrid& grid_;
+  const voxel::VoxelGrid& grid_;
   ToolEnd end_;
   std::vector<std::unique_ptr<Samples>> left_;  // per stored brick; null: whole, or emptied
   std::vector<std::uint8_t> emptied_;
@@ -58,7 +58,7 @@ struct AirCutOptions {
 /// The path with its timed moves divided where cutting and air meet, those in air at V_Air where that is
 /// faster; half a voxel before the material comes again they have their own feed. `source` as in
 /// apply_dcm. Errors: InputError naming an option out of range, or a texture path.
-ToolPath hurry_in_air(const ToolPath& path, const VoxelGrid& grid, const AirCutOptions& options,
-                      std::vector<std::int64_t>* source = nullptr);
+ToolPath hurry_in_air(const ToolPath& path, const voxel::VoxelGrid& grid,
+                      const AirCutOptions& options, std::vector<std::int64_t>* source = nullptr);
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

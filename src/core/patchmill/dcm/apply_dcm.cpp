@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 constexpr double kProbesPerVoxel = 4.0;
@@ -28,7 +28,7 @@ struct Sample {
 
 class Divider {
  public:
-  Divider(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
+  Divider(const ToolPath& path, const voxel::VoxelGrid& grid, const FeedField* feed,
           const PostureField* posture, const DcmOptions& options)
       : path_(path), grid_(grid), feed_(feed), posture_(posture), options_(options) {
     out_.tool = path.tool;
@@ -166,7 +166,7 @@ class Divider {
   }
 
   const ToolPath& path_;
-  const VoxelGrid& grid_;
+  const voxel::VoxelGrid& grid_;
   const FeedField* feed_;
   const PostureField* posture_;
   const DcmOptions& options_;
@@ -199,7 +199,7 @@ void limit_acceleration(ToolPath& path, double acceleration) {
           std::max(path.moves[i].turns, path.spindle.speed * length[i] / speed[i]);
 }
 
-void check(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
+void check(const ToolPath& path, const voxel::VoxelGrid& grid, const FeedField* feed,
            const PostureField* posture, const DcmOptions& options) {
   if (feed) require_over(grid, *feed);
   if (posture) require_over(grid, *posture);
@@ -221,7 +221,7 @@ void check(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
 
 }  // namespace
 
-ToolPath apply_dcm(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
+ToolPath apply_dcm(const ToolPath& path, const voxel::VoxelGrid& grid, const FeedField* feed,
                    const PostureField* posture, const DcmOptions& options,
                    std::vector<std::int64_t>* source) {
   check(path, grid, feed, posture, options);
@@ -264,4 +264,4 @@ PathSteps path_steps(const ToolPath& path) {
   return steps;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

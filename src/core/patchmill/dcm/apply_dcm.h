@@ -17,7 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::dcm {
 
 /// At which point of the tool the fields are read. Neither depends on the posture that is read.
 enum class ReadAt {
@@ -50,7 +50,7 @@ struct DcmOptions {
 /// stands still, or the feed of a texture path (moves that end on dimples) would be changed: its
 /// timing is its meaning. If `source` is given, it gets for each move the number of the move of `path`
 /// that it is a piece of.
-ToolPath apply_dcm(const ToolPath& path, const VoxelGrid& grid, const FeedField* feed,
+ToolPath apply_dcm(const ToolPath& path, const voxel::VoxelGrid& grid, const FeedField* feed,
                    const PostureField* posture, const DcmOptions& options = {},
                    std::vector<std::int64_t>* source = nullptr);
 
@@ -65,4 +65,4 @@ struct PathSteps {
 };
 PathSteps path_steps(const ToolPath& path);
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -6,7 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 void require_limits(const FeedLimits& limits) {
@@ -42,8 +42,8 @@ struct Line {
   int step;    // between cells in a brick
 };
 
-void diffuse_line(const Line& line, const std::vector<CellRole>& role, std::vector<double>& field,
-                  std::vector<std::int64_t>& run) {
+void diffuse_line(const Line& line, const std::vector<voxel::CellRole>& role,
+                  std::vector<double>& field, std::vector<std::int64_t>& run) {
   End left;
   run.clear();
   const auto finish = [&](const End& right) {
@@ -52,37 +52,38 @@ void diffuse_line(const Line& line, const std::vector<CellRole>& role, std::vect
     left = right;
   };
   for (const std::int32_t brick : line.bricks) {
-    if (brick == kNoBrick) {
+    if (brick == voxel::kNoBrick) {
       finish({});
       continue;
     }
-    for (int i = 0; i < kBrickSide; ++i) {
-      const std::int64_t cell = std::int64_t{brick} * kBrickCells + line.offset + i * line.step;
-      if (role[cell] == CellRole::Unknown)
+    for (int i = 0; i < voxel::kBrickSide; ++i) {
+      const std::int64_t cell =
+          std::int64_t{brick} * voxel::kBrickCells + line.offset + i * line.step;
+      if (role[cell] == voxel::CellRole::Unknown)
         run.push_back(cell);
       else
-        finish({role[cell] == CellRole::Held, field[cell]});
+        finish({role[cell] == voxel::CellRole::Held, field[cell]});
     }
   }
   finish({});
 }
 
-constexpr int kStep[3] = {1, kBrickSide, kBrickSide* kBrickSide};
+constexpr int kStep[3] = {1, voxel::kBrickSide, voxel::kBrickSide* voxel::kBrickSide};
 
-void diffuse_along(const BrickTable& table, int axis, const std::vector<CellRole>& role,
-                   std::vector<double>& field) {
+void diffuse_along(const voxel::BrickTable& table, int axis,
+                   const std::vector<voxel::CellRole>& role, std::vector<double>& field) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const int columns = table.bricks[u] * table.bricks[v];
   tbb::parallel_for(0, columns, [&](int column) {
     Line line{std::vector<std::int32_t>(table.bricks[axis]), 0, kStep[axis]};
     bool any = false;
     for (int i = 0; i < table.bricks[axis]; ++i) {
-      Cell place;
+      voxel::Cell place;
       place[axis] = i;
       place[u] = column % table.bricks[u];
       place[v] = column / table.bricks[u];
       line.bricks[i] = table.at[table.flat(place)];
-      any = any || line.bricks[i] != kNoBrick;
+      any = any || line.bricks[i] != voxel::kNoBrick;
     }
     std::vector<std::int64_t> run;
     for (int row = 0; any && row < 64; ++row) {
@@ -94,34 +95,36 @@ void diffuse_along(const BrickTable& table, int axis, const std::vector<CellRole
 
 }  // namespace
 
-std::vector<CellRole> roles(const VoxelGrid& grid, ExteriorRule rule) {
-  std::vector<CellRole> role(grid.kind.size(), CellRole::Outside);
+std::vector<voxel::CellRole> roles(const voxel::VoxelGrid& grid, ExteriorRule rule) {
+  std::vector<voxel::CellRole> role(grid.kind.size(), voxel::CellRole::Outside);
   for (std::size_t i = 0; i < role.size(); ++i) {
-    const VoxelKind kind = grid.kind[i];
-    if (kind == VoxelKind::Surface || (kind == VoxelKind::Exterior && rule == ExteriorRule::Held))
-      role[i] = CellRole::Held;
-    else if (kind == VoxelKind::Removal || kind == VoxelKind::Exterior)
-      role[i] = CellRole::Unknown;
+    const voxel::VoxelKind kind = grid.kind[i];
+    if (kind == voxel::VoxelKind::Surface ||
+        (kind == voxel::VoxelKind::Exterior && rule == ExteriorRule::Held))
+      role[i] = voxel::CellRole::Held;
+    else if (kind == voxel::VoxelKind::Removal || kind == voxel::VoxelKind::Exterior)
+      role[i] = voxel::CellRole::Unknown;
   }
   return role;
 }
 
-std::vector<double> initial_feed(const VoxelGrid& grid, const FeedLimits& limits) {
+std::vector<double> initial_feed(const voxel::VoxelGrid& grid, const FeedLimits& limits) {
   require_limits(limits);
   std::vector<double> field(grid.kind.size(), 0.0);
   for (std::size_t i = 0; i < field.size(); ++i) {
-    const VoxelKind kind = grid.kind[i];
-    if (kind == VoxelKind::Surface) field[i] = limits.low;
-    if (kind == VoxelKind::Removal || kind == VoxelKind::Exterior) field[i] = limits.high;
+    const voxel::VoxelKind kind = grid.kind[i];
+    if (kind == voxel::VoxelKind::Surface) field[i] = limits.low;
+    if (kind == voxel::VoxelKind::Removal || kind == voxel::VoxelKind::Exterior)
+      field[i] = limits.high;
   }
   return field;
 }
 
-FeedField steady_feed(const VoxelGrid& grid, const FeedLimits& limits, ExteriorRule rule) {
+FeedField steady_feed(const voxel::VoxelGrid& grid, const FeedLimits& limits, ExteriorRule rule) {
   require_limits(limits);
   FeedField feed;
   feed.limits = limits;
-  const std::vector<CellRole> role = roles(grid, rule);
+  const std::vector<voxel::CellRole> role = roles(grid, rule);
   for (int axis = 0; axis < 3; ++axis) {
     feed.along[axis] = initial_feed(grid, limits);
     diffuse_along(grid.table, axis, role, feed.along[axis]);
@@ -129,4 +132,4 @@ FeedField steady_feed(const VoxelGrid& grid, const FeedLimits& limits, ExteriorR
   return feed;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

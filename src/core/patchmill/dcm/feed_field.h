@@ -19,7 +19,7 @@
 #include <array>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::dcm {
 
 /// What exterior voxels are to the diffusion.
 enum class ExteriorRule {
@@ -38,18 +38,18 @@ struct FeedField {
 };
 
 /// The steady feed fields. Errors: InputError if the limits are not 0 < low <= high.
-FeedField steady_feed(const VoxelGrid& grid, const FeedLimits& limits,
+FeedField steady_feed(const voxel::VoxelGrid& grid, const FeedLimits& limits,
                       ExteriorRule rule = ExteriorRule::Held);
 
 /// What each voxel is to the solvers. Surface voxels are held; exterior ones by the rule.
-std::vector<CellRole> roles(const VoxelGrid& grid, ExteriorRule rule);
+std::vector<voxel::CellRole> roles(const voxel::VoxelGrid& grid, ExteriorRule rule);
 
 /// Values before diffusion: V_Lo at surface voxels, V_Hi elsewhere in the removal volume. Errors: as steady_feed.
-std::vector<double> initial_feed(const VoxelGrid& grid, const FeedLimits& limits);
+std::vector<double> initial_feed(const voxel::VoxelGrid& grid, const FeedLimits& limits);
 
 /// V in a direction; `d` is a unit vector, v the values of V_x, V_y, V_z [mm/s].
 inline double feed_in_direction(const Vec3& v, const Vec3& d) {
   return v.dot(d.cwiseProduct(d));
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

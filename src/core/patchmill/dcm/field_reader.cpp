@@ -6,21 +6,22 @@
 
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
-void add(const VoxelGrid& grid, const Cell& cell, double weight, ReadingStencil& stencil) {
+void add(const voxel::VoxelGrid& grid, const voxel::Cell& cell, double weight,
+         ReadingStencil& stencil) {
   if (weight <= 0.0) return;
-  const VoxelKind kind = grid.at(cell);
-  if (kind == VoxelKind::Air) stencil.air += weight;
-  if (kind == VoxelKind::Air || kind == VoxelKind::Part) return;
-  stencil.cell[stencil.size] = cell_index(grid.table, cell);
+  const voxel::VoxelKind kind = grid.at(cell);
+  if (kind == voxel::VoxelKind::Air) stencil.air += weight;
+  if (kind == voxel::VoxelKind::Air || kind == voxel::VoxelKind::Part) return;
+  stencil.cell[stencil.size] = voxel::cell_index(grid.table, cell);
   stencil.weight[stencil.size++] = weight;
 }
 
 }  // namespace
 
-ReadingStencil reading_stencil(const VoxelGrid& grid, const Vec3& p, Reading reading) {
+ReadingStencil reading_stencil(const voxel::VoxelGrid& grid, const Vec3& p, Reading reading) {
   ReadingStencil stencil;
   const Vec3 u = grid.frame.in_cells(p);
   const Vec3 end = grid.frame.cells.cast<double>();
@@ -35,7 +36,7 @@ ReadingStencil reading_stencil(const VoxelGrid& grid, const Vec3& p, Reading rea
   }
   const Vec3 v = u - Vec3::Constant(0.5), base = v.array().floor(), s = v - base;
   for (int n = 0; n < 8; ++n) {
-    const Cell side(n & 1, n >> 1 & 1, n >> 2 & 1);
+    const voxel::Cell side(n & 1, n >> 1 & 1, n >> 2 & 1);
     double weight = 1.0;
     for (int k = 0; k < 3; ++k) weight *= side[k] ? s[k] : 1.0 - s[k];
     add(grid, base.cast<int>() + side, weight, stencil);
@@ -48,17 +49,17 @@ ReadingStencil reading_stencil(const VoxelGrid& grid, const Vec3& p, Reading rea
   return stencil;
 }
 
-void require_over(const VoxelGrid& grid, const FeedField& feed) {
+void require_over(const voxel::VoxelGrid& grid, const FeedField& feed) {
   for (const auto& along : feed.along)
     require_one_each("FeedField", along.size(), grid.table.cell_count(), "voxels of the grid");
 }
 
-void require_over(const VoxelGrid& grid, const PostureField& posture) {
+void require_over(const voxel::VoxelGrid& grid, const PostureField& posture) {
   for (const auto& value : posture.value)
     require_one_each("PostureField", value.size(), grid.table.cell_count(), "voxels of the grid");
 }
 
-std::optional<double> read_feed(const VoxelGrid& grid, const FeedField& feed, const Vec3& p,
+std::optional<double> read_feed(const voxel::VoxelGrid& grid, const FeedField& feed, const Vec3& p,
                                 const Vec3& d, Reading reading) {
   const ReadingStencil at = reading_stencil(grid, p, reading);
   if (at.empty()) return std::nullopt;
@@ -67,8 +68,8 @@ std::optional<double> read_feed(const VoxelGrid& grid, const FeedField& feed, co
   return feed_in_direction(v, d);
 }
 
-std::optional<Vec3> read_axis(const VoxelGrid& grid, const PostureField& posture, const Vec3& p,
-                              Reading reading) {
+std::optional<Vec3> read_axis(const voxel::VoxelGrid& grid, const PostureField& posture,
+                              const Vec3& p, Reading reading) {
   const ReadingStencil at = reading_stencil(grid, p, reading);
   if (at.empty()) return std::nullopt;
   const auto& value = posture.value;
@@ -78,4 +79,4 @@ std::optional<Vec3> read_axis(const VoxelGrid& grid, const PostureField& posture
   return sum.norm() > 1e-9 ? Vec3(sum.normalized()) : Vec3::UnitZ();
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::dcm {
 
 enum class Reading {
   Trilinear,  ///< between the eight voxel centres around the point
@@ -38,19 +38,19 @@ struct ReadingStencil {
 };
 
 /// The stencil at `p` [mm]; of a point off the box or not finite all is air.
-ReadingStencil reading_stencil(const VoxelGrid& grid, const Vec3& p, Reading reading);
+ReadingStencil reading_stencil(const voxel::VoxelGrid& grid, const Vec3& p, Reading reading);
 
 /// Errors: InputError naming FeedField or PostureField if the field was made over another grid: one that stores
 /// another number of voxels. The readers below do not look.
-void require_over(const VoxelGrid& grid, const FeedField& feed);
-void require_over(const VoxelGrid& grid, const PostureField& posture);
+void require_over(const voxel::VoxelGrid& grid, const FeedField& feed);
+void require_over(const voxel::VoxelGrid& grid, const PostureField& posture);
 
 /// Feed [mm/s] at `p` [mm] in the unit direction d; nothing in the middle of the part.
-std::optional<double> read_feed(const VoxelGrid& grid, const FeedField& feed, const Vec3& p,
+std::optional<double> read_feed(const voxel::VoxelGrid& grid, const FeedField& feed, const Vec3& p,
                                 const Vec3& d, Reading reading = Reading::Trilinear);
 
 /// Unit axis at `p` [mm]; nothing in the middle of the part.
-std::optional<Vec3> read_axis(const VoxelGrid& grid, const PostureField& posture, const Vec3& p,
-                              Reading reading = Reading::Trilinear);
+std::optional<Vec3> read_axis(const voxel::VoxelGrid& grid, const PostureField& posture,
+                              const Vec3& p, Reading reading = Reading::Trilinear);
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -10,28 +10,29 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-bool has_field(VoxelKind kind) {
-  return kind == VoxelKind::Removal || kind == VoxelKind::Surface || kind == VoxelKind::Exterior;
+bool has_field(voxel::VoxelKind kind) {
+  return kind == voxel::VoxelKind::Removal || kind == voxel::VoxelKind::Surface ||
+         kind == voxel::VoxelKind::Exterior;
 }
 
 }  // namespace
 
-GridSection section_of(const VoxelGrid& grid, int axis, double place) {
+GridSection section_of(const voxel::VoxelGrid& grid, int axis, double place) {
   if (axis < 0 || axis > 2)
     throw InputError("axis", std::to_string(axis), "give 0, 1 or 2 for x, y or z.");
-  const GridFrame& frame = grid.frame;
+  const voxel::GridFrame& frame = grid.frame;
   const double in_cells = (place - frame.origin[axis]) / frame.pitch;
   if (!(in_cells >= 0.0 && in_cells < frame.cells[axis]))
     throw InputError("place", fmt::format("{} mm", place),
                      fmt::format("the voxels lie from {} to {} mm.", frame.origin[axis],
                                  frame.origin[axis] + frame.pitch * frame.cells[axis]));
   const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
-  Cell cell;
+  voxel::Cell cell;
   cell[axis] = static_cast<int>(in_cells);
   GridSection s;
   s.columns = frame.cells[u];
@@ -42,7 +43,7 @@ GridSection section_of(const VoxelGrid& grid, int axis, double place) {
   for (cell[v] = 0; cell[v] < s.rows; ++cell[v])
     for (cell[u] = 0; cell[u] < s.columns; ++cell[u]) {
       s.kind.push_back(grid.at(cell));
-      s.index.push_back(has_field(s.kind.back()) ? cell_index(grid.table, cell) : -1);
+      s.index.push_back(has_field(s.kind.back()) ? voxel::cell_index(grid.table, cell) : -1);
     }
   return s;
 }
@@ -74,13 +75,15 @@ std::vector<Vec3> axes_on(const GridSection& section, const PostureField& postur
   return axes;
 }
 
-std::vector<FieldArrow> arrows_of(const VoxelGrid& grid, const PostureField& posture, int stride) {
+std::vector<FieldArrow> arrows_of(const voxel::VoxelGrid& grid, const PostureField& posture,
+                                  int stride) {
   if (stride < 1) throw InputError("stride", std::to_string(stride), "give 1 or more.");
   std::vector<FieldArrow> arrows;
   for (std::size_t b = 0; b < grid.table.size(); ++b)
-    for (int n = 0; n < kBrickCells; ++n) {
-      const std::size_t i = b * kBrickCells + n;
-      const Cell cell = first_cell(grid.table, b) + Cell(n % 8, n / 8 % 8, n / 64);
+    for (int n = 0; n < voxel::kBrickCells; ++n) {
+      const std::size_t i = b * voxel::kBrickCells + n;
+      const voxel::Cell cell =
+          voxel::first_cell(grid.table, b) + voxel::Cell(n % 8, n / 8 % 8, n / 64);
       const bool wanted = (cell - cell / stride * stride).isZero();
       if (wanted && has_field(grid.kind[i]))
         arrows.push_back({grid.frame.centre(cell), axis_in(posture, i)});
@@ -88,17 +91,18 @@ std::vector<FieldArrow> arrows_of(const VoxelGrid& grid, const PostureField& pos
   return arrows;
 }
 
-std::vector<float> distance_to_part(const VoxelGrid& grid, const TriangleBvh& part) {
+std::vector<float> distance_to_part(const voxel::VoxelGrid& grid, const mesh::TriangleBvh& part) {
   std::vector<float> distance(grid.kind.size(), 0.0F);
   tbb::parallel_for(std::size_t{0}, grid.table.size(), [&](std::size_t b) {
-    for (int n = 0; n < kBrickCells; ++n) {
-      const std::size_t i = b * kBrickCells + n;
+    for (int n = 0; n < voxel::kBrickCells; ++n) {
+      const std::size_t i = b * voxel::kBrickCells + n;
       if (!has_field(grid.kind[i])) continue;
-      const Cell cell = first_cell(grid.table, b) + Cell(n % 8, n / 8 % 8, n / 64);
-      distance[i] = static_cast<float>(closest_point(part, grid.frame.centre(cell)).distance);
+      const voxel::Cell cell =
+          voxel::first_cell(grid.table, b) + voxel::Cell(n % 8, n / 8 % 8, n / 64);
+      distance[i] = static_cast<float>(mesh::closest_point(part, grid.frame.centre(cell)).distance);
     }
   });
   return distance;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -10,34 +10,35 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 constexpr std::size_t kMost = 255;
 
 // Gives `number` to the voxels of one column of bricks along x whose centres are in the body.
-void fill_column(const VoxelGrid& grid, const MaterialBody& body, const ColumnTriangles& triangles,
-                 int column, std::uint8_t number, std::vector<std::uint8_t>& material) {
-  const Cell bricks = grid.table.bricks;
-  RowBits inside;
-  inside_bits(triangles, bricks, column, inside);
+void fill_column(const voxel::VoxelGrid& grid, const MaterialBody& body,
+                 const voxel::ColumnTriangles& triangles, int column, std::uint8_t number,
+                 std::vector<std::uint8_t>& material) {
+  const voxel::Cell bricks = grid.table.bricks;
+  voxel::RowBits inside;
+  voxel::inside_bits(triangles, bricks, column, inside);
   for (int x = 0; x < bricks.x(); ++x) {
     const std::int32_t brick = grid.table.find({x, column % bricks.y(), column / bricks.y()});
-    if (brick == kNoBrick) continue;
-    const Cell first = first_cell(grid.table, static_cast<std::size_t>(brick));
-    for (int n = 0; n < kBrickCells; ++n) {
+    if (brick == voxel::kNoBrick) continue;
+    const voxel::Cell first = voxel::first_cell(grid.table, static_cast<std::size_t>(brick));
+    for (int n = 0; n < voxel::kBrickCells; ++n) {
       if (!(inside[64 * x + n / 8] >> (n % 8) & 1)) continue;
-      const Vec3 centre = grid.frame.centre(first + Cell(n % 8, n / 8 % 8, n / 64));
-      const bool deep =
-          std::isfinite(body.depth) && closest_point(*body.bvh, centre, body.depth).triangle < 0;
-      if (!deep) material[static_cast<std::size_t>(brick) * kBrickCells + n] = number;
+      const Vec3 centre = grid.frame.centre(first + voxel::Cell(n % 8, n / 8 % 8, n / 64));
+      const bool deep = std::isfinite(body.depth) &&
+                        mesh::closest_point(*body.bvh, centre, body.depth).triangle < 0;
+      if (!deep) material[static_cast<std::size_t>(brick) * voxel::kBrickCells + n] = number;
     }
   }
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> materials_of(const VoxelGrid& grid,
+std::vector<std::uint8_t> materials_of(const voxel::VoxelGrid& grid,
                                        const std::vector<MaterialBody>& bodies) {
   if (bodies.size() > kMost)
     throw InputError("Materials", std::to_string(bodies.size()), "give 255 at most.");
@@ -46,7 +47,7 @@ std::vector<std::uint8_t> materials_of(const VoxelGrid& grid,
     if (!(bodies[b].depth > 0.0))
       throw InputError("Materials", fmt::format("{} mm", bodies[b].depth),
                        "give a depth greater than zero.");
-    const ColumnTriangles triangles = sort_into_columns(*bodies[b].mesh, grid.frame);
+    const voxel::ColumnTriangles triangles = voxel::sort_into_columns(*bodies[b].mesh, grid.frame);
     const int columns = grid.table.bricks.y() * grid.table.bricks.z();
     tbb::parallel_for(0, columns, [&](int column) {
       fill_column(grid, bodies[b], triangles, column, static_cast<std::uint8_t>(b + 1), material);
@@ -55,7 +56,7 @@ std::vector<std::uint8_t> materials_of(const VoxelGrid& grid,
   return material;
 }
 
-void require_over(const VoxelGrid& grid, const std::vector<std::uint8_t>& material) {
+void require_over(const voxel::VoxelGrid& grid, const std::vector<std::uint8_t>& material) {
   require_one_each("Materials", material.size(), grid.table.cell_count(), "voxels of the grid");
 }
 
@@ -74,4 +75,4 @@ void scale_feed(FeedField& feed, const std::vector<std::uint8_t>& material,
     for (std::size_t i = 0; i < material.size(); ++i) along[i] *= factor[material[i]];
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

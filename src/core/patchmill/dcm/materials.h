@@ -11,25 +11,25 @@
 #include <limits>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::dcm {
 
 /// Where another material than the stock's own is. With a depth it is a layer: the stock's mesh and
 /// 1.5 mm are a cast skin.
 struct MaterialBody {
-  const TriangleMesh* mesh = nullptr;                      ///< closed
-  const TriangleBvh* bvh = nullptr;                        ///< over that mesh
+  const mesh::TriangleMesh* mesh = nullptr;                ///< closed
+  const mesh::TriangleBvh* bvh = nullptr;                  ///< over that mesh
   double depth = std::numeric_limits<double>::infinity();  ///< below its surface, no further [mm]
 };
 
 /// Per stored voxel: 0 for the stock's own material, else 1 + the number of the last body that holds its
 /// centre. Parallel; the same on any number of threads. Errors: InputError naming Materials for more
 /// than 255 bodies or a depth of zero or less.
-std::vector<std::uint8_t> materials_of(const VoxelGrid& grid,
+std::vector<std::uint8_t> materials_of(const voxel::VoxelGrid& grid,
                                        const std::vector<MaterialBody>& bodies);
 
 /// Errors: InputError naming Materials if the numbers were made over another grid: one that stores another number
 /// of voxels.
-void require_over(const VoxelGrid& grid, const std::vector<std::uint8_t>& material);
+void require_over(const voxel::VoxelGrid& grid, const std::vector<std::uint8_t>& material);
 
 /// What materials do to the feed: the material of each stored voxel, and a factor for each material, the stock's own
 /// first. Without materials, nothing.
@@ -44,4 +44,4 @@ struct FeedFactors {
 void scale_feed(FeedField& feed, const std::vector<std::uint8_t>& material,
                 const std::vector<double>& factor);
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

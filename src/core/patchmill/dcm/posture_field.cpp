@@ -9,7 +9,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 std::vector<double> boundary_values(const PostureOptions& options, const Vec3& normal) {
@@ -19,7 +19,7 @@ std::vector<double> boundary_values(const PostureOptions& options, const Vec3& n
   return {axis.x(), axis.y(), axis.z()};
 }
 
-Vec3 smooth_normal(const ClosestPoint& near, const std::vector<std::array<Vec3, 3>>& corner) {
+Vec3 smooth_normal(const mesh::ClosestPoint& near, const std::vector<std::array<Vec3, 3>>& corner) {
   const auto& n = corner[near.triangle];
   const Vec3 sum =
       near.barycentric[0] * n[0] + near.barycentric[1] * n[1] + near.barycentric[2] * n[2];
@@ -28,16 +28,16 @@ Vec3 smooth_normal(const ClosestPoint& near, const std::vector<std::array<Vec3, 
 
 // Calls `set(cell index, normal)` for each surface voxel, in parallel over bricks.
 template <class Set>
-void visit_surface(const VoxelGrid& grid, const TriangleMesh& part, const TriangleBvh& bvh,
-                   Angle crease, const Set& set) {
-  const auto corner = corner_normals(part, crease);
+void visit_surface(const voxel::VoxelGrid& grid, const mesh::TriangleMesh& part,
+                   const mesh::TriangleBvh& bvh, Angle crease, const Set& set) {
+  const auto corner = mesh::corner_normals(part, crease);
   tbb::parallel_for(std::size_t{0}, grid.table.size(), [&](std::size_t brick) {
-    const Cell first = first_cell(grid.table, brick);
-    for (int n = 0; n < kBrickCells; ++n) {
-      const std::size_t cell = brick * kBrickCells + n;
-      if (grid.kind[cell] != VoxelKind::Surface) continue;
-      const Vec3 centre = grid.frame.centre(first + Cell(n % 8, n / 8 % 8, n / 64));
-      set(cell, smooth_normal(closest_point(bvh, centre), corner));
+    const voxel::Cell first = voxel::first_cell(grid.table, brick);
+    for (int n = 0; n < voxel::kBrickCells; ++n) {
+      const std::size_t cell = brick * voxel::kBrickCells + n;
+      if (grid.kind[cell] != voxel::VoxelKind::Surface) continue;
+      const Vec3 centre = grid.frame.centre(first + voxel::Cell(n % 8, n / 8 % 8, n / 64));
+      set(cell, smooth_normal(mesh::closest_point(bvh, centre), corner));
     }
   });
 }
@@ -57,16 +57,17 @@ Vec3 posture_axis(const PostureAngles& angles) {
   return Vec3(std::tan(angles.phi.radians()), -std::tan(angles.theta.radians()), 1.0).normalized();
 }
 
-std::vector<Vec3> surface_normals(const VoxelGrid& grid, const TriangleMesh& part,
-                                  const TriangleBvh& bvh, Angle crease) {
+std::vector<Vec3> surface_normals(const voxel::VoxelGrid& grid, const mesh::TriangleMesh& part,
+                                  const mesh::TriangleBvh& bvh, Angle crease) {
   std::vector<Vec3> normal(grid.kind.size(), Vec3::Zero());
   visit_surface(grid, part, bvh, crease,
                 [&](std::size_t cell, const Vec3& n) { normal[cell] = n; });
   return normal;
 }
 
-PostureField steady_posture(const VoxelGrid& grid, const TriangleMesh& part, const TriangleBvh& bvh,
-                            const PostureOptions& options, const Progress& progress) {
+PostureField steady_posture(const voxel::VoxelGrid& grid, const mesh::TriangleMesh& part,
+                            const mesh::TriangleBvh& bvh, const PostureOptions& options,
+                            const Progress& progress) {
   require_in_range("posture limit", options.limit.degrees(), 0.1, 89.0, "degrees");
   require_in_range("crease", options.crease.degrees(), 0.0, 180.0, "degrees");
   const std::vector<double> upright = boundary_values(options, Vec3::UnitZ());
@@ -79,8 +80,8 @@ PostureField steady_posture(const VoxelGrid& grid, const TriangleMesh& part, con
   });
   PostureField posture;
   posture.form = options.form;
-  posture.outcome =
-      solve_laplace(grid.table, roles(grid, options.exterior), field, options.solver, progress);
+  posture.outcome = voxel::solve_laplace(grid.table, roles(grid, options.exterior), field,
+                                         options.solver, progress);
   for (auto& values : field) {
     posture.value.emplace_back(values.begin(), values.end());
     std::vector<double>().swap(values);
@@ -88,4 +89,4 @@ PostureField steady_posture(const VoxelGrid& grid, const TriangleMesh& part, con
   return posture;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -22,7 +22,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::dcm {
 
 enum class PostureForm {
   Angles,     ///< theta and phi (the paper)
@@ -35,14 +35,14 @@ struct PostureOptions {
   Angle limit = Angle::degrees(70);  ///< of theta and of phi, 0.1 .. 89 degrees
   Angle crease =
       Angle::degrees(30);  ///< normals are smoothed over edges flatter than this, 0 .. 180
-  LaplaceOptions solver;
+  voxel::LaplaceOptions solver;
 };
 
 struct PostureField {
   PostureForm form = PostureForm::Angles;
   /// theta, phi [rad]; or the components of the axis. 0 where there is no removal.
   std::vector<std::vector<float>> value;
-  LaplaceOutcome outcome;
+  voxel::LaplaceOutcome outcome;
 };
 
 struct PostureAngles {
@@ -58,12 +58,13 @@ Vec3 posture_axis(const PostureAngles& angles);
 
 /// Unit normal of the part for every surface voxel (zero elsewhere): at the point of the mesh
 /// nearest to the voxel's centre, interpolated between the corners (corner_normals).
-std::vector<Vec3> surface_normals(const VoxelGrid& grid, const TriangleMesh& part,
-                                  const TriangleBvh& bvh, Angle crease);
+std::vector<Vec3> surface_normals(const voxel::VoxelGrid& grid, const mesh::TriangleMesh& part,
+                                  const mesh::TriangleBvh& bvh, Angle crease);
 
 /// The steady posture. `part` is closed, `bvh` over it. If `progress` asks for a stop, or the solver does not
 /// converge, `outcome` says so and the axes are the last ones. Errors: InputError for an option out of range.
-PostureField steady_posture(const VoxelGrid& grid, const TriangleMesh& part, const TriangleBvh& bvh,
-                            const PostureOptions& options = {}, const Progress& progress = {});
+PostureField steady_posture(const voxel::VoxelGrid& grid, const mesh::TriangleMesh& part,
+                            const mesh::TriangleBvh& bvh, const PostureOptions& options = {},
+                            const Progress& progress = {});
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

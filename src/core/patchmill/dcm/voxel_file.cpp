@@ -11,7 +11,7 @@
 #include <cstring>
 #include <fstream>
 
-namespace patchmill {
+namespace patchmill::dcm {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x33764d5064746f4dULL;
@@ -74,28 +74,29 @@ bool get_all(Reader& in, std::size_t count, std::vector<T>& values) {
   return bool(in);
 }
 
-std::vector<std::uint8_t> stored_bricks(const BrickTable& table) {
+std::vector<std::uint8_t> stored_bricks(const voxel::BrickTable& table) {
   std::vector<std::uint8_t> wanted;
   wanted.reserve(table.at.size());
-  for (const std::int32_t number : table.at) wanted.push_back(number == kNoBrick ? 0 : 1);
+  for (const std::int32_t number : table.at) wanted.push_back(number == voxel::kNoBrick ? 0 : 1);
   return wanted;
 }
 
-bool read_grid(Reader& in, VoxelGrid& grid) {
+bool read_grid(Reader& in, voxel::VoxelGrid& grid) {
   for (int k = 0; k < 3; ++k) grid.frame.origin[k] = get<double>(in);
   grid.frame.pitch = get<double>(in);
   for (int k = 0; k < 3; ++k) grid.frame.cells[k] = get<std::int32_t>(in);
   const bool sane = in && grid.frame.pitch > 0.0 && (grid.frame.cells.array() > 0).all() &&
                     (grid.frame.cells.array() <= 32768).all();
   if (!sane) return false;
-  const Cell box = brick_box(grid.frame.cells);
+  const voxel::Cell box = voxel::brick_box(grid.frame.cells);
   const std::size_t bricks = static_cast<std::size_t>(box.x()) * box.y() * box.z();
   std::vector<std::uint8_t> wanted;
   if (!get_all(in, bricks, wanted) || !get_all(in, bricks, grid.solid_bricks)) return false;
-  grid.table = make_brick_table(grid.frame.cells, wanted);
+  grid.table = voxel::make_brick_table(grid.frame.cells, wanted);
   if (!get_all(in, grid.table.cell_count(), grid.kind)) return false;
-  return std::all_of(grid.kind.begin(), grid.kind.end(),
-                     [](VoxelKind kind) { return static_cast<int>(kind) < kVoxelKinds; });
+  return std::all_of(grid.kind.begin(), grid.kind.end(), [](voxel::VoxelKind kind) {
+    return static_cast<int>(kind) < voxel::kVoxelKinds;
+  });
 }
 
 bool read_posture(Reader& in, std::size_t cells, VoxelModel& model) {
@@ -121,7 +122,7 @@ bool read_materials(Reader& in, std::size_t cells, VoxelModel& model) {
 }
 
 void write_all(Writer& out, const std::string& key, const VoxelModel& model) {
-  const VoxelGrid& grid = model.grid;
+  const voxel::VoxelGrid& grid = model.grid;
   put(out, kMagic);
   put_all(out, std::vector<char>(key.begin(), key.end()));
   for (int k = 0; k < 3; ++k) put(out, double{grid.frame.origin[k]});
@@ -171,4 +172,4 @@ std::optional<VoxelModel> read_voxel_model(const std::string& path, const std::s
   return model;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

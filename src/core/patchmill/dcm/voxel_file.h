@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-namespace patchmill {
+namespace patchmill::dcm {
 
 struct VoxelModel {
-  VoxelGrid grid;
+  voxel::VoxelGrid grid;
   std::optional<PostureField> posture;
   std::vector<std::uint8_t> material;  ///< materials.h; empty if there is only the stock's own
 };
@@ -26,4 +26,4 @@ void write_voxel_model(const std::string& path, const std::string& key, const Vo
 /// whole: then it is to be made anew.
 std::optional<VoxelModel> read_voxel_model(const std::string& path, const std::string& key);
 
-}  // namespace patchmill
+}  // namespace patchmill::dcm

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::string freecad_text(const ToolPath& path, const Decimals& decimals) {
   });
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

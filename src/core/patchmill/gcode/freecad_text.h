@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 /// G0 for rapids; G1 with an F word for timed moves, F = length / duration (the moves of a
 /// constant-feed path all have the same). One comment per patch change is left out: FreeCAD's post
@@ -21,4 +21,4 @@ std::string freecad_text(const ToolPath& path, double feed, const Decimals& deci
 /// feed. Errors: InputError naming Feed if a timed move has none.
 std::string freecad_text(const ToolPath& path, const Decimals& decimals);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

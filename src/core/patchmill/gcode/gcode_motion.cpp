@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr double kTurn = 6.283185307179586476925286766559;
@@ -133,4 +133,4 @@ std::vector<CycleStep> cycle_steps(const DrillingCycle& c) {
   return steps;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

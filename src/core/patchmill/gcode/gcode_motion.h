@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 /// G17, G18 and G19: the plane that an arc turns in, and the axis across it.
 enum class ArcPlane : std::uint8_t { XY, ZX, YZ };
@@ -57,4 +57,4 @@ struct CycleStep {
 /// R. Errors: InputError naming Path if the bottom is above R, or a peck is missing.
 std::vector<CycleStep> cycle_steps(const DrillingCycle& cycle);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

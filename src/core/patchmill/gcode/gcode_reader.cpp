@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/gcode_reader.h"
 
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/gcode_state.h"
+#include "patchmill/geometry/error.h"
 
 #include <algorithm>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr double kChord = 1e-3;     // of lines in the place of an arc [mm]
@@ -261,4 +261,4 @@ std::vector<ProgramLine> program_lines(std::string_view text, const Control& con
   return lines;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -12,7 +12,7 @@
 #include <array>
 #include <string_view>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 /// A stretch of a program with one tool, spindle speed, sense and work offset, without a move in machine coordinates.
 struct ProgramSection {
@@ -71,4 +71,4 @@ struct PlanMatch {
 /// and pairing moves whose ends are within `tolerance` [mm]. Errors: InputError naming Tolerance (0 .. 1e6).
 PlanMatch match_plan(ToolPath& read, const ToolPath& plan, double tolerance);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 class BlockReader {
@@ -289,4 +289,4 @@ void refuse_block(const GcodeBlock& block, const std::string& why) {
   refuse_gcode(block.number, std::string(block.text), why);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 enum class FeedMode : std::uint8_t { PerMinute, InverseTime };
 enum class MotionMode : std::uint8_t { None, Rapid, Feed, Synchronised, Clockwise, Counter, Cycle };
@@ -72,4 +72,4 @@ double block_turns(const GcodeBlock& block, const GcodeState& state, const Contr
 /// Throws InputError "G-code line n"; `why` is a whole sentence.
 [[noreturn]] void refuse_block(const GcodeBlock& block, const std::string& why);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 bool blank(char c) {
@@ -72,4 +72,4 @@ std::vector<GcodeWord> gcode_words(std::string_view text, long line) {
   return words;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 struct GcodeWord {
   char letter = 0;  ///< upper case
@@ -23,4 +23,4 @@ std::vector<GcodeWord> gcode_words(std::string_view line, long number);
 /// The error that readers throw about a line of a program.
 [[noreturn]] void refuse_gcode(long line, const std::string& text, const std::string& remedy);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

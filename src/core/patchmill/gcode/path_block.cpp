@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/path_block.h"
 
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/controls/word_reader.h"
+#include "patchmill/geometry/error.h"
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 PathBlock path_block(std::string_view text, long number) {
   PathBlock block;
@@ -31,4 +31,4 @@ void refuse_block(const PathBlock& block, const std::string& remedy) {
   throw InputError("Path", "'" + std::string(block.text) + "'", remedy);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

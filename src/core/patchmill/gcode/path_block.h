@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 /// A G or M word of a block; its number in tenths: G43.4 is 434.
 struct BlockCode {
@@ -39,4 +39,4 @@ PathBlock path_block(std::string_view text, long number);
 /// Throws InputError naming Path and the block; `remedy` is a whole sentence.
 [[noreturn]] void refuse_block(const PathBlock& block, const std::string& remedy);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr double kHalfUnit = 0.5e-6;
@@ -60,4 +60,4 @@ std::string with_feeds(const std::string& text, const std::vector<double>& feeds
   return out.append(text, from, std::string::npos);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 /// The values of all F words of `text` in their order, but for those in comments.
 std::vector<double> feeds_of(std::string_view text);
@@ -16,4 +16,4 @@ std::vector<double> feeds_of(std::string_view text);
 /// many, each the same to half a unit of the text's sixth decimal.
 std::string with_feeds(const std::string& text, const std::vector<double>& feeds);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

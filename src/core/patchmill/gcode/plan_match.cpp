@@ -1,11 +1,11 @@
 // Comparing a path that was read back with its plan; see gcode_reader.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/gcode_reader.h"
+#include "patchmill/geometry/error.h"
 
 #include <algorithm>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 PlanMatch match_plan(ToolPath& read, const ToolPath& plan, double tolerance) {
   require_in_range("Tolerance", tolerance, 0.0, 1e6, "mm");
@@ -43,4 +43,4 @@ PlanMatch match_plan(ToolPath& read, const ToolPath& plan, double tolerance) {
   return match;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

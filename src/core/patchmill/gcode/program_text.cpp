@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr int kLeadDecimals = 6;
@@ -249,4 +249,4 @@ void ProgramText::cycle(const DrillingCycle& cycle, double x, double y, double f
   forget_word();
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

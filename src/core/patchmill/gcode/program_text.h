@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 constexpr std::string_view kWrittenAxes = "XYZABCUVW";
 constexpr std::size_t kAxisCount = 9;
@@ -77,4 +77,4 @@ class ProgramText {
   double feed_ = -1.0;  // in force, in units of its last decimal
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

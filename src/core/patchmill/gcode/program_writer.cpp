@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/program_writer.h"
 
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/writer.h"
+#include "patchmill/geometry/error.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 // When a word of a block counts, as RS-274 has it: feed mode, tool, spindle, coolant, dwell, states, motion, stop.
@@ -183,4 +183,4 @@ std::string write_program(const std::vector<std::string>& texts, const ProgramSt
   return Writer(style).write(texts);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -4,13 +4,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "patchmill/geometry/vec.h"
 #include "patchmill/gcode/controls/control.h"
+#include "patchmill/geometry/vec.h"
 
 #include <optional>
 #include <utility>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 struct ProgramStyle {
   const Control* control = &linuxcnc();
@@ -42,4 +42,4 @@ struct ProgramStyle {
 /// have).
 std::string write_program(const std::vector<std::string>& texts, const ProgramStyle& style);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

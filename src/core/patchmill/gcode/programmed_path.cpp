@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr double kMostParts = 1e4;
 
-Joints between(const Joints& a, const Joints& b, double share) {
+machine::Joints between(const machine::Joints& a, const machine::Joints& b, double share) {
   return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
 }
 
@@ -24,54 +24,56 @@ double chord_of(const ProgramForm& form, MoveKind kind) {
 }
 
 // How far the middle of a straight line of all axes is from the straight way in the work.
-double bend(const Kinematics& machine, const Vec3& a, const Joints& qa, const Vec3& b,
-            const Joints& qb) {
-  const Vec3 linear = 0.5 * (pivot_referred(machine, a, qa) + pivot_referred(machine, b, qb));
-  return (in_work_frame(machine, linear, between(qa, qb, 0.5)) - 0.5 * (a + b)).norm();
+double bend(const machine::Kinematics& machine, const Vec3& a, const machine::Joints& qa,
+            const Vec3& b, const machine::Joints& qb) {
+  const Vec3 linear =
+      0.5 * (machine::pivot_referred(machine, a, qa) + machine::pivot_referred(machine, b, qb));
+  return (machine::in_work_frame(machine, linear, between(qa, qb, 0.5)) - 0.5 * (a + b)).norm();
 }
 
 }  // namespace
 
-Kinematics with_tool(const Kinematics& machine, double tool_length, const ProgramForm& form,
-                     const BallEndMill& tool) {
+machine::Kinematics with_tool(const machine::Kinematics& machine, double tool_length,
+                              const ProgramForm& form, const BallEndMill& tool) {
   require_finite("ToolLength", tool_length, "mm");
-  Kinematics out = machine;
+  machine::Kinematics out = machine;
   out.tool_length =
       tool_length - (form.reference == ReferencePoint::BallCentre ? tool.radius : 0.0);
   return out;
 }
 
-int split_parts(const Kinematics& machine, const ProgramForm& form, MoveKind kind, const Vec3& from,
-                const Joints& qa, const Vec3& to, const Joints& qb) {
+int split_parts(const machine::Kinematics& machine, const ProgramForm& form, MoveKind kind,
+                const Vec3& from, const machine::Joints& qa, const Vec3& to,
+                const machine::Joints& qb) {
   if (form.tcp || qa == qb) return 1;
   const double share = bend(machine, from, qa, to, qb) / chord_of(form, kind);
   const double parts = std::ceil(std::sqrt(share) - 1e-9);
   return static_cast<int>(std::min(std::max(parts, 1.0), kMostParts));
 }
 
-PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
-                       const ProgramForm& form) {
+machine::PosturePath programmed(const machine::PosturePath& posture,
+                                const machine::Kinematics& machine, const ProgramForm& form) {
   require_positive("Chord", form.chord, "mm");
   require_in_range("ChordClear", form.chord_clear, 0.0, 1e6, "mm");
   const double radius = posture.path.tool.radius;
-  PosturePath out{posture.path, {posture.joints.at(0)}};
+  machine::PosturePath out{posture.path, {posture.joints.at(0)}};
   out.path.moves.clear();
-  const auto told = [&](const Vec3& point, const Joints& q) {
-    return form.tcp ? point : pivot_referred(machine, point, q);
+  const auto told = [&](const Vec3& point, const machine::Joints& q) {
+    return form.tcp ? point : machine::pivot_referred(machine, point, q);
   };
   Vec3 from = point_of(posture.path.start, form, radius);
   out.path.start.tip = told(from, posture.joints[0]);
   for (std::size_t i = 0; i < posture.path.moves.size(); ++i) {
     const Move& move = posture.path.moves[i];
-    const Joints &qa = posture.joints[i], &qb = posture.joints.at(i + 1);
+    const machine::Joints &qa = posture.joints[i], &qb = posture.joints.at(i + 1);
     const Vec3 to = point_of(move.end, form, radius);
     const int parts = split_parts(machine, form, move.kind, from, qa, to, qb);
     for (int k = 1; k <= parts; ++k) {
       const double share = static_cast<double>(k) / parts;
       Move part = move;
-      const Joints q = k == parts ? qb : between(qa, qb, share);
+      const machine::Joints q = k == parts ? qb : between(qa, qb, share);
       part.turns = move.turns / parts;
-      part.end.axis = k == parts ? move.end.axis : tool_axis(machine, q);
+      part.end.axis = k == parts ? move.end.axis : machine::tool_axis(machine, q);
       part.end.tip = told(from + share * (to - from), q);
       if (k < parts) {
         part.dimple = kNoDimple;
@@ -85,13 +87,14 @@ PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
   return out;
 }
 
-PosturePath on_degrees(PosturePath posture, const Kinematics& machine, const Decimals& degrees) {
-  for (Joints& q : posture.joints)
+machine::PosturePath on_degrees(machine::PosturePath posture, const machine::Kinematics& machine,
+                                const Decimals& degrees) {
+  for (machine::Joints& q : posture.joints)
     for (double& angle : q)
       angle = Angle::degrees(degrees.round(Angle::radians(angle).degrees())).radians();
   const double radius = posture.path.tool.radius;
-  const auto turned = [&](const ToolPose& pose, const Joints& q) {
-    return pose_of_ball(ball_centre(pose, radius), tool_axis(machine, q), radius);
+  const auto turned = [&](const ToolPose& pose, const machine::Joints& q) {
+    return pose_of_ball(ball_centre(pose, radius), machine::tool_axis(machine, q), radius);
   };
   posture.path.start = turned(posture.path.start, posture.joints.at(0));
   for (std::size_t i = 0; i < posture.path.moves.size(); ++i)
@@ -99,18 +102,19 @@ PosturePath on_degrees(PosturePath posture, const Kinematics& machine, const Dec
   return posture;
 }
 
-PosturePath on_decimals(PosturePath programmed, const Decimals& decimals) {
+machine::PosturePath on_decimals(machine::PosturePath programmed, const Decimals& decimals) {
   programmed.path.start.tip = decimals.round(programmed.path.start.tip);
   for (Move& move : programmed.path.moves) move.end.tip = decimals.round(move.end.tip);
   return programmed;
 }
 
-ToolPath work_path(const PosturePath& posture, const Kinematics& machine, const ProgramForm& form) {
+ToolPath work_path(const machine::PosturePath& posture, const machine::Kinematics& machine,
+                   const ProgramForm& form) {
   ToolPath path = posture.path;
   const double radius = path.tool.radius;
-  const auto pose = [&](const Vec3& told, const Joints& q) {
-    const Vec3 axis = tool_axis(machine, q);
-    const Vec3 point = form.tcp ? told : in_work_frame(machine, told, q);
+  const auto pose = [&](const Vec3& told, const machine::Joints& q) {
+    const Vec3 axis = machine::tool_axis(machine, q);
+    const Vec3 point = form.tcp ? told : machine::in_work_frame(machine, told, q);
     return form.reference == ReferencePoint::Tip ? ToolPose{point, axis}
                                                  : pose_of_ball(point, axis, radius);
   };
@@ -120,4 +124,4 @@ ToolPath work_path(const PosturePath& posture, const Kinematics& machine, const 
   return path;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -9,7 +9,7 @@
 #include "patchmill/machine/joint_plan.h"
 #include "patchmill/path/rounding.h"
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 /// Which point of the tool X Y Z are of; the tool length counts to it.
 enum class ReferencePoint : std::uint8_t { Tip, BallCentre };
@@ -23,27 +23,29 @@ struct ProgramForm {
 
 /// Kinematics with the tool length that belongs to the reference point. `tool_length`: from the gauge
 /// point to the tip [mm]. Errors: InputError naming ToolLength (not finite).
-Kinematics with_tool(const Kinematics& machine, double tool_length, const ProgramForm& form,
-                     const BallEndMill& tool);
+machine::Kinematics with_tool(const machine::Kinematics& machine, double tool_length,
+                              const ProgramForm& form, const BallEndMill& tool);
 
 /// Into how many parts programmed() splits a move of `kind` between two programmed points: 1 to 10,000.
-int split_parts(const Kinematics& machine, const ProgramForm& form, MoveKind kind, const Vec3& from,
-                const Joints& from_joints, const Vec3& to, const Joints& to_joints);
+int split_parts(const machine::Kinematics& machine, const ProgramForm& form, MoveKind kind,
+                const Vec3& from, const machine::Joints& from_joints, const Vec3& to,
+                const machine::Joints& to_joints);
 
 /// `posture` with the programmed points in place of the tips; its axes and turns stay. Without TCP,
 /// moves may be split; a part has its share of the turns, and only the last part ends on the dimple.
 /// `machine`: with_tool(). Errors: InputError naming Chord (not positive) or ChordClear (0 .. 1e6 mm).
-PosturePath programmed(const PosturePath& posture, const Kinematics& machine,
-                       const ProgramForm& form);
+machine::PosturePath programmed(const machine::PosturePath& posture,
+                                const machine::Kinematics& machine, const ProgramForm& form);
 
 /// The angles put on decimals of a degree, as they are told; the ball centre keeps its way.
-PosturePath on_degrees(PosturePath posture, const Kinematics& machine, const Decimals& degrees);
+machine::PosturePath on_degrees(machine::PosturePath posture, const machine::Kinematics& machine,
+                                const Decimals& degrees);
 
 /// The programmed points put on the program's decimals, so that lengths are what the machine is told.
-PosturePath on_decimals(PosturePath programmed, const Decimals& decimals);
+machine::PosturePath on_decimals(machine::PosturePath programmed, const Decimals& decimals);
 
 /// The other way: a path of programmed points, as read from a program, as tool tips in the work frame.
-ToolPath work_path(const PosturePath& programmed, const Kinematics& machine,
+ToolPath work_path(const machine::PosturePath& programmed, const machine::Kinematics& machine,
                    const ProgramForm& form);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

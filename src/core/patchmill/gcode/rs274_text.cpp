@@ -8,22 +8,22 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr double kPitchUnit = 1e-6;  // of the K word, mm per turn; FreeCAD saves six decimals
 
 class Writer {
  public:
-  Writer(const ToolPath& path, const MotionModel& model, const Decimals& decimals, FeedWord feed,
-         double feed_unit, const RotaryWords& rotary)
+  Writer(const ToolPath& path, const machine::MotionModel& model, const Decimals& decimals,
+         FeedWord feed, double feed_unit, const RotaryWords& rotary)
       : path_(path),
         rotary_(rotary),
         decimals_(decimals),
         feed_(feed),
         feed_unit_(feed_unit),
-        tolerances_(posted_tolerances(path, model)),
-        pitches_(locked_pitches(path, corners(path, model))) {}
+        tolerances_(machine::posted_tolerances(path, model)),
+        pitches_(machine::locked_pitches(path, machine::corners(path, model))) {}
 
   Rs274Text write() {
     line("G21 G90 G17 G40 G94");
@@ -136,14 +136,14 @@ class Writer {
 
 }  // namespace
 
-Rs274Text rs274_text(const ToolPath& path, const MotionModel& model, const Decimals& decimals,
-                     FeedWord feed, const RotaryWords& rotary) {
+Rs274Text rs274_text(const ToolPath& path, const machine::MotionModel& model,
+                     const Decimals& decimals, FeedWord feed, const RotaryWords& rotary) {
   return Writer(path, model, decimals, feed, 1.0, rotary).write();
 }
 
-std::string freecad_paced_text(const ToolPath& path, const MotionModel& model,
+std::string freecad_paced_text(const ToolPath& path, const machine::MotionModel& model,
                                const Decimals& decimals, FeedWord feed, const RotaryWords& rotary) {
   return Writer(path, model, decimals, feed, 60.0, rotary).write_moves().text;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -12,7 +12,7 @@
 
 #include <string>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 enum class FeedWord : std::uint8_t {
   PerMinute,   ///< G94
@@ -22,8 +22,8 @@ enum class FeedWord : std::uint8_t {
 /// Angles to be written beside a path's points: joints[0] at its start, joints[i + 1] at the end of move
 /// i. The path is one of programmed points (programmed_path.h). No letters: no rotary words.
 struct RotaryWords {
-  std::string letters;         ///< of the rotary axes in chain order
-  std::vector<Joints> joints;  ///< [rad], on the decimals in degrees
+  std::string letters;                  ///< of the rotary axes in chain order
+  std::vector<machine::Joints> joints;  ///< [rad], on the decimals in degrees
   /// No path mode is written for moves that leave it to the machine: its own smoothing is in force.
   bool as_set = false;
 };
@@ -37,14 +37,15 @@ struct Rs274Text {
 /// keeps its lengths); K, with 6 decimals, carries its rounding on from move to move. A feed-paced move
 /// on which a rotary axis turns is written in inverse time. Errors: as locked_pitches; InputError naming
 /// Turns if a feed-paced move has none, ToolAxis if only rotary axes move in a locked one.
-Rs274Text rs274_text(const ToolPath& path, const MotionModel& model, const Decimals& decimals,
-                     FeedWord feed = FeedWord::PerMinute, const RotaryWords& rotary = {});
+Rs274Text rs274_text(const ToolPath& path, const machine::MotionModel& model,
+                     const Decimals& decimals, FeedWord feed = FeedWord::PerMinute,
+                     const RotaryWords& rotary = {});
 
 /// A rapid to the start and the moves, with their G61, G64 and G33 words, as text for FreeCAD's
 /// Path.Path(text), whose F is mm/s (in inverse time 1/s, for posts multiply every F by 60). Errors: as
 /// rs274_text.
-std::string freecad_paced_text(const ToolPath& path, const MotionModel& model,
+std::string freecad_paced_text(const ToolPath& path, const machine::MotionModel& model,
                                const Decimals& decimals, FeedWord feed = FeedWord::PerMinute,
                                const RotaryWords& rotary = {});
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -6,7 +6,7 @@
 #include "patchmill/gcode/path_block.h"
 #include "patchmill/gcode/program_text.h"
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 class Writer {
  public:
@@ -77,4 +77,4 @@ class Writer {
   std::optional<MoveBlock> held_;  ///< rapid of a new tool to a height, from nobody knows where
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

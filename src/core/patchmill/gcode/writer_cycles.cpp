@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr double kChord = 1e-3;  // of lines in the place of an arc [mm]
@@ -136,4 +136,4 @@ void Writer::reference(const PathBlock& block, int tenths) {
   out_.forget();
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

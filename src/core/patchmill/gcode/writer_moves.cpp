@@ -1,13 +1,13 @@
 // Moves, arcs and cycles of a program; see writer.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/writer.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr double kSameFeed = 2e-6;
@@ -185,4 +185,4 @@ void Writer::straighten(const PathBlock& block) {
   out_.move(upright);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

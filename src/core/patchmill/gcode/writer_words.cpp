@@ -1,14 +1,14 @@
 // States, tools and spindles of a program; see writer.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/controls/common_words.h"
 #include "patchmill/gcode/writer.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr std::string_view kAlways = "FST";
@@ -242,4 +242,4 @@ void Writer::dwell(double seconds) {
   out_.forget_word();
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

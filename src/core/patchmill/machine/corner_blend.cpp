@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 const double kNormalShare = std::sqrt(3.0) / 2.0;  // of the acceleration, on an arc
@@ -149,4 +149,4 @@ std::vector<double> locked_turns(const ToolPath& path, const std::vector<Corner>
   return turns;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

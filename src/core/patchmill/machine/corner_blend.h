@@ -15,7 +15,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::machine {
 
 /// One corner of a path, between a move and the next.
 struct Corner {
@@ -59,4 +59,4 @@ std::vector<double> locked_pitches(const ToolPath& path, const std::vector<Corne
 std::vector<double> locked_turns(const ToolPath& path, const std::vector<Corner>& corners,
                                  const std::vector<double>& pitches);
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 constexpr double kHalfTurn = kPi + 1e-9;
@@ -265,4 +265,4 @@ AxisLoad axis_load(const Kinematics& machine, const PosturePath& posture) {
   return load;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

@@ -11,7 +11,7 @@
 #include "patchmill/machine/kinematics.h"
 #include "patchmill/path/tool_path.h"
 
-namespace patchmill {
+namespace patchmill::machine {
 
 /// A direction that the tool is to have.
 struct AxisTarget {
@@ -56,4 +56,4 @@ struct AxisLoad {
 /// `machine`: with the tool length of the programmed point (with_tool).
 AxisLoad axis_load(const Kinematics& machine, const PosturePath& posture);
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

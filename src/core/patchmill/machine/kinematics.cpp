@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 constexpr double kReach = 1e-9;     // rad: further off a direction cannot be pointed at
@@ -190,4 +190,4 @@ AxisSolutions solve_axis(const Kinematics& machine, const Vec3& axis) {
   return out;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::machine {
 
 using Mat3 = Eigen::Matrix3d;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
@@ -95,4 +95,4 @@ struct AxisSolutions {
 /// axes reach has none.
 AxisSolutions solve_axis(const Kinematics& machine, const Vec3& axis);
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

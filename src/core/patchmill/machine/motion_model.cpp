@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 constexpr double kArrived = 1e-12;  // mm
@@ -79,4 +79,4 @@ double sampled_stop_time(double length, double velocity, double acceleration, do
   return periods * period;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

@@ -11,7 +11,7 @@
 
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::machine {
 
 constexpr double kNoJerkLimit = std::numeric_limits<double>::infinity();
 
@@ -51,4 +51,4 @@ SampledStep sampled_step(double rest, double speed, double end_speed, double wan
 /// than stop_to_stop_time. No jerk limit. All arguments > 0.
 double sampled_stop_time(double length, double velocity, double acceleration, double period);
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

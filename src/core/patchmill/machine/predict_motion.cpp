@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::machine {
 namespace {
 
 constexpr double kArrived = 1e-12;  // mm
@@ -237,4 +237,4 @@ Prediction predict(const ToolPath& path, const MotionModel& model, double speed_
   return {true, {}, simulation.run()};
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

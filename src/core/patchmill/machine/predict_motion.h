@@ -13,7 +13,7 @@
 
 #include <string>
 
-namespace patchmill {
+namespace patchmill::machine {
 
 struct Passing {
   double time = 0.0;   ///< since the start of the path [s]
@@ -32,4 +32,4 @@ struct Prediction {
 /// positive.
 Prediction predict(const ToolPath& path, const MotionModel& model, double speed_ratio = 1.0);
 
-}  // namespace patchmill
+}  // namespace patchmill::machine

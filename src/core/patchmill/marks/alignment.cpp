@@ -11,7 +11,7 @@
 #include <complex>
 #include <map>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 using Phasor = std::complex<double>;
@@ -107,4 +107,4 @@ AlignmentResult classify_alignment(const std::vector<Vec2>& places, const RowLay
   return result;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

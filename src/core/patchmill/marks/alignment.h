@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::marks {
 
 enum class Alignment {
   Square,
@@ -54,4 +54,4 @@ struct AlignmentOptions {
 AlignmentResult classify_alignment(const std::vector<Vec2>& places, const RowLayout& layout,
                                    const AlignmentOptions& options = {});
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 constexpr int kLookUps = 4;
@@ -16,7 +16,7 @@ int nearest_index(double coordinate, int count) {
 
 }  // namespace
 
-Vec2 project(const TexturePlane& plane, const Vec3& point) {
+Vec2 project(const patch::TexturePlane& plane, const Vec3& point) {
   const Vec3 n = plane_normal(plane);
   const Vec3 from = point - plane.origin;
   const Vec3 on_plane = from - plane.direction * (from.dot(n) / plane.direction.dot(n));
@@ -48,4 +48,4 @@ BaseUnder base_under(const SurfaceGrid& grid, const Vec3& centre, double radius)
   return base;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

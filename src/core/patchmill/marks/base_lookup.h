@@ -5,7 +5,7 @@
 
 #include "patchmill/marks/relief.h"
 
-namespace patchmill {
+namespace patchmill::marks {
 
 /// The tangent plane of the base under a ball.
 struct BaseUnder {
@@ -16,11 +16,11 @@ struct BaseUnder {
 };
 
 /// Plane coordinates of a point projected on the texture plane along its direction.
-Vec2 project(const TexturePlane& plane, const Vec3& point);
+Vec2 project(const patch::TexturePlane& plane, const Vec3& point);
 
 /// The base under a ball centre. Exact for a flat base. On a curved one the tangent plane at the
 /// cell that is nearest to centre - radius * normal, found by repeated look-up; beyond the edge of
 /// the grid the cell at the edge serves.
 BaseUnder base_under(const SurfaceGrid& grid, const Vec3& centre, double radius);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

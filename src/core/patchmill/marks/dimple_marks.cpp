@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 /// Centre of what is low among 5 x 5 cells around (i, j): mean of the places, weighted by how far each is
@@ -153,4 +153,4 @@ double mean_spacing(const std::vector<DimpleMark>& dimples) {
                            : sum / static_cast<double>(places.size());
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

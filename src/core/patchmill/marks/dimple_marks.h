@@ -7,7 +7,7 @@
 
 #include "patchmill/marks/relief.h"
 
-namespace patchmill {
+namespace patchmill::marks {
 
 /// A dimple that was found.
 struct DimpleMark {
@@ -34,4 +34,4 @@ std::vector<DimpleMark> find_dimples(const Relief& relief, const FindOptions& op
 /// Mean distance from a dimple to the nearest other one [mm]; NaN for fewer than two.
 double mean_spacing(const std::vector<DimpleMark>& dimples);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -6,7 +6,7 @@
 #define PATCHMILL_X86_LEVELS
 #endif
 
-namespace patchmill {
+namespace patchmill::marks {
 
 // one of flute_lanes_*.cpp each
 #define PATCHMILL_DECLARE(isa)                                                             \
@@ -37,4 +37,4 @@ FluteKernel flute_kernel(InstructionSet set) {
   return {any_processor::mill_flat, any_processor::mill_curved};
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -15,7 +15,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::marks {
 
 /// Cells are treated in chunks of this many.
 constexpr int kLanes = 16;
@@ -74,4 +74,4 @@ struct FluteKernel {
 };
 FluteKernel flute_kernel(InstructionSet set);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -10,7 +10,7 @@
 
 #define PATCHMILL_INLINE inline __attribute__((always_inline))
 
-namespace patchmill::PATCHMILL_ISA {
+namespace patchmill::marks::PATCHMILL_ISA {
 namespace {
 
 constexpr int kWidth = PATCHMILL_LANES;
@@ -201,4 +201,4 @@ struct CurvedCells {
 };
 
 }  // namespace
-}  // namespace patchmill::PATCHMILL_ISA
+}  // namespace patchmill::marks::PATCHMILL_ISA

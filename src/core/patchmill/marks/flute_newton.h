@@ -2,7 +2,7 @@
 // Part of flute_rows.h, which see.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-namespace patchmill::PATCHMILL_ISA {
+namespace patchmill::marks::PATCHMILL_ISA {
 namespace {
 
 /// One Newton step of r(delta) = 0; returns its length.
@@ -81,4 +81,4 @@ PATCHMILL_INLINE void mill_group(const PassFrame& pass, const Cells* cells, int 
 }
 
 }  // namespace
-}  // namespace patchmill::PATCHMILL_ISA
+}  // namespace patchmill::marks::PATCHMILL_ISA

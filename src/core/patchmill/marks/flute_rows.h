@@ -7,7 +7,7 @@
 #include "patchmill/marks/flute_search.h"
 // clang-format on
 
-namespace patchmill::PATCHMILL_ISA {
+namespace patchmill::marks::PATCHMILL_ISA {
 namespace {
 
 PATCHMILL_INLINE Lanes load(const float* from) {
@@ -79,4 +79,4 @@ void mill_curved(bool near_axis_only, const PassFrame& pass, const CurvedRow& ro
     mill_curved_row<false>(near_axis_only, pass, row, shift, registers, height);
 }
 
-}  // namespace patchmill::PATCHMILL_ISA
+}  // namespace patchmill::marks::PATCHMILL_ISA

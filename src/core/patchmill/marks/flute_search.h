@@ -2,7 +2,7 @@
 // Part of flute_rows.h, which see.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-namespace patchmill::PATCHMILL_ISA {
+namespace patchmill::marks::PATCHMILL_ISA {
 namespace {
 
 /// Lanes over which the edge may pass more than once: where, some time in the pass, the feed
@@ -212,4 +212,4 @@ PATCHMILL_INLINE void search_group(const PassFrame& pass, const Cells* cells, in
 }
 
 }  // namespace
-}  // namespace patchmill::PATCHMILL_ISA
+}  // namespace patchmill::marks::PATCHMILL_ISA

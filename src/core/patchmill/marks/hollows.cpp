@@ -7,7 +7,7 @@
 #include <numeric>
 #include <queue>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 constexpr std::int64_t kUncut = -1;
@@ -148,4 +148,4 @@ std::int32_t HollowMerger::join(std::int32_t a, std::int32_t b) {
   return a;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

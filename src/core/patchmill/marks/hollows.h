@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::marks {
 
 inline constexpr std::int32_t kNoHollow = -1;
 
@@ -59,4 +59,4 @@ class HollowMerger {
   std::vector<std::map<std::int32_t, double>> ridges_;  // ordered: the same merges every time
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -9,10 +9,11 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 
-MachinePath path_on_machine(const ToolPath& path, const MotionModel& model, double speed_ratio) {
-  Prediction prediction = predict(path, model, speed_ratio);
+MachinePath path_on_machine(const ToolPath& path, const machine::MotionModel& model,
+                            double speed_ratio) {
+  machine::Prediction prediction = machine::predict(path, model, speed_ratio);
   MachinePath out;
   out.reason = std::move(prediction.reason);
   if (!prediction.known) return out;
@@ -54,4 +55,4 @@ Angle best_start_phase(const ToolPath& path, const std::vector<Angle>& wanted, A
   return period * (std::atan2(s, c) / (2.0 * kPi));
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

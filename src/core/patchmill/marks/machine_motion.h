@@ -6,7 +6,7 @@
 #include "patchmill/machine/predict_motion.h"
 #include "patchmill/marks/motion.h"
 
-namespace patchmill {
+namespace patchmill::marks {
 
 /// `path` with the turns of every move, rapids too, as they are between the predicted passings of its ends.
 /// What the model rounds off corners and the course of the speed within a move are left out; a move of no
@@ -17,7 +17,7 @@ struct MachinePath {
   ToolPath path;
 };
 /// Errors: those of predict.
-MachinePath path_on_machine(const ToolPath& path, const MotionModel& model,
+MachinePath path_on_machine(const ToolPath& path, const machine::MotionModel& model,
                             double speed_ratio = 1.0);
 
 /// Azimuth of flute 0 at the start of a path whose turns are all known, such that the phase errors at its
@@ -25,4 +25,4 @@ MachinePath path_on_machine(const ToolPath& path, const MotionModel& model,
 /// path without dimples. Errors: InputError naming Dimple or SpindleTurns.
 Angle best_start_phase(const ToolPath& path, const std::vector<Angle>& wanted, Angle period);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

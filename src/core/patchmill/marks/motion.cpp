@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 constexpr double kLeastTurn = 1e-9;  // [rad]
@@ -190,4 +190,4 @@ ToolMotion motion_of(const std::vector<MotionSample>& samples, SpindleSense sens
   return motion;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

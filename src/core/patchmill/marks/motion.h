@@ -8,7 +8,7 @@
 
 #include "patchmill/path/tool_path.h"
 
-namespace patchmill {
+namespace patchmill::marks {
 
 /// A ball-end mill as the simulator sees it.
 struct Cutter {
@@ -88,4 +88,4 @@ struct MotionSample {
 /// more than 1e-3 rad between two samples), BallRadius, or Time, Tip, Axis, SpindleAngle (not finite).
 ToolMotion motion_of(const std::vector<MotionSample>& samples, SpindleSense sense, double radius);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 constexpr double kSlight = 1e-7;  // [mm/rad, 1/rad]; changes of velocity below this are none
@@ -188,4 +188,4 @@ void prepare(const ToothPass& pass, const ToolMotion& motion, const Cutter& cutt
   frame.centre_height = static_cast<float>(way.centre.z());
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

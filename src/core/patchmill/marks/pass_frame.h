@@ -6,7 +6,7 @@
 #include "patchmill/marks/flute_kernel.h"
 #include "patchmill/marks/tooth_pass.h"
 
-namespace patchmill {
+namespace patchmill::marks {
 
 /// The way of the ball centre through a pass, relative to its place in the middle; in the frame of
 /// PassFrame [mm].
@@ -24,4 +24,4 @@ struct PassWay {
 void prepare(const ToothPass& pass, const ToolMotion& motion, const Cutter& cutter,
              const SurfaceGrid& grid, PassFrame& frame, PassWay& way);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::marks {
 
 PlaceIndex::PlaceIndex(std::vector<Vec2> places) : places_(std::move(places)) {
   if (places_.empty()) return;
@@ -80,4 +80,4 @@ std::vector<std::size_t> PlaceIndex::within(const Vec2& at, double radius) const
   return found;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::marks {
 
 class PlaceIndex {
  public:
@@ -34,4 +34,4 @@ class PlaceIndex {
   std::vector<std::size_t> first_, numbers_;  // of bucket b: numbers_[first_[b] .. first_[b + 1])
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 void add_statistics(const std::vector<DimpleMark>& found, double spacing, PlanComparison& out) {
@@ -42,10 +42,11 @@ void add_statistics(const std::vector<DimpleMark>& found, double spacing, PlanCo
 
 }  // namespace
 
-std::vector<PlannedPlace> planned_places(const Dimples& dimples, const TexturePlane& plane) {
+std::vector<PlannedPlace> planned_places(const patch::Dimples& dimples,
+                                         const patch::TexturePlane& plane) {
   std::vector<PlannedPlace> places;
   for (std::size_t k = 0; k < dimples.size(); ++k)
-    if (dimples[k].state == DimpleState::Cut)
+    if (dimples[k].state == patch::DimpleState::Cut)
       places.push_back({static_cast<std::int32_t>(k), project(plane, dimples[k].surface.position)});
   return places;
 }
@@ -77,4 +78,4 @@ PlanComparison compare_with_plan(const std::vector<DimpleMark>& found,
   return out;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

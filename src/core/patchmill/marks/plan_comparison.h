@@ -6,7 +6,7 @@
 #include "patchmill/marks/dimple_marks.h"
 #include "patchmill/patch/dimple.h"
 
-namespace patchmill {
+namespace patchmill::marks {
 
 struct PlannedPlace {
   std::int32_t dimple = 0;    ///< its number in the plan
@@ -14,7 +14,8 @@ struct PlannedPlace {
 };
 
 /// Places of all dimples of a plan that are to be cut, seen along the texture plane's direction.
-std::vector<PlannedPlace> planned_places(const Dimples& dimples, const TexturePlane& plane);
+std::vector<PlannedPlace> planned_places(const patch::Dimples& dimples,
+                                         const patch::TexturePlane& plane);
 
 /// What became of one planned dimple.
 struct DimpleMatch {
@@ -45,4 +46,4 @@ struct PlanComparison {
 PlanComparison compare_with_plan(const std::vector<DimpleMark>& found,
                                  const std::vector<PlannedPlace>& planned, double spacing);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 
-Vec3 plane_normal(const TexturePlane& plane) {
+Vec3 plane_normal(const patch::TexturePlane& plane) {
   const Vec3 n = plane.x_axis.cross(plane.y_axis).normalized();
   return n.dot(plane.direction) < 0.0 ? n : Vec3(-n);
 }
@@ -27,7 +27,8 @@ Vec3 base_normal(const SurfaceGrid& grid, int i, int j) {
   return grid.normal[static_cast<std::size_t>(grid.number(i, j))].cast<double>();
 }
 
-SurfaceGrid flat_grid(const TexturePlane& plane, const Vec2& low, const Vec2& high, double step) {
+SurfaceGrid flat_grid(const patch::TexturePlane& plane, const Vec2& low, const Vec2& high,
+                      double step) {
   require_positive("GridStep", step, "mm");
   const Vec2 cells = (high - low) / step;
   const double most = std::numeric_limits<int>::max() - 1;
@@ -43,8 +44,8 @@ SurfaceGrid flat_grid(const TexturePlane& plane, const Vec2& low, const Vec2& hi
   return grid;
 }
 
-SurfaceGrid grid_around(const TexturePlane& plane, const std::vector<Vec2>& places, double margin,
-                        double step) {
+SurfaceGrid grid_around(const patch::TexturePlane& plane, const std::vector<Vec2>& places,
+                        double margin, double step) {
   if (places.empty())
     throw InputError("GridSize", "no places", "there must be a dimple to look at.");
   Vec2 low = places.front(), high = low;
@@ -55,7 +56,7 @@ SurfaceGrid grid_around(const TexturePlane& plane, const std::vector<Vec2>& plac
   return flat_grid(plane, low.array() - margin, high.array() + margin, step);
 }
 
-SurfaceGrid curved_grid(SurfaceGrid grid, const SurfaceSampler& sampler) {
+SurfaceGrid curved_grid(SurfaceGrid grid, const patch::SurfaceSampler& sampler) {
   require_valid(grid);
   std::vector<Vec2> row(static_cast<std::size_t>(grid.columns));
   grid.sag.clear();
@@ -63,9 +64,9 @@ SurfaceGrid curved_grid(SurfaceGrid grid, const SurfaceSampler& sampler) {
   for (int j = 0; j < grid.rows; ++j) {
     for (int i = 0; i < grid.columns; ++i)
       row[static_cast<std::size_t>(i)] = grid.plane_point(i, j);
-    const std::vector<SurfaceSample> samples = sampler(row);
+    const std::vector<patch::SurfaceSample> samples = sampler(row);
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const bool there = on_face(samples[i].state);
+      const bool there = patch::on_face(samples[i].state);
       const Vec3 from = samples[i].point.position - grid.plane.at(row[i]);
       grid.sag.push_back(there ? from.dot(grid.plane.direction)
                                : std::numeric_limits<double>::quiet_NaN());
@@ -106,4 +107,4 @@ Vec3 relief_point(const Relief& relief, int i, int j) {
   return base_point(relief.grid, i, j) + relief.at(i, j) * base_normal(relief.grid, i, j);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

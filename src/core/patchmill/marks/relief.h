@@ -11,14 +11,14 @@
 #include <cstdint>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::marks {
 
 using Vec3f = Eigen::Vector3f;
 
 /// A grid of cells over a texture plane. Cell (i, j) is column i, row j, and stands at plane
 /// coordinates first + step * (i, j); its number is j * columns + i.
 struct SurfaceGrid {
-  TexturePlane plane;
+  patch::TexturePlane plane;
   Vec2 first = Vec2::Zero();  ///< of cell (0, 0) [mm]
   double step = 0.0;          ///< [mm], both ways
   int columns = 0, rows = 0;
@@ -36,7 +36,7 @@ struct SurfaceGrid {
 
 /// Unit normal of the plane itself, out of the material: at right angles to the plane, against
 /// plane.direction.
-Vec3 plane_normal(const TexturePlane& plane);
+Vec3 plane_normal(const patch::TexturePlane& plane);
 
 /// Place [mm] and unit normal of the base at a cell; NaN where the base is missing.
 Vec3 base_point(const SurfaceGrid& grid, int i, int j);
@@ -45,16 +45,17 @@ Vec3 base_normal(const SurfaceGrid& grid, int i, int j);
 /// A flat grid that covers plane coordinates `low` to `high` with cells of `step` [mm].
 /// Errors: InputError naming GridStep (not positive), GridSize (high below low, or over 2^31 - 1
 /// columns or rows).
-SurfaceGrid flat_grid(const TexturePlane& plane, const Vec2& low, const Vec2& high, double step);
+SurfaceGrid flat_grid(const patch::TexturePlane& plane, const Vec2& low, const Vec2& high,
+                      double step);
 
 /// A flat grid that covers all of `places` (plane coordinates, not empty) and `margin` more [mm].
 /// Errors: as flat_grid; GridSize if there are no places.
-SurfaceGrid grid_around(const TexturePlane& plane, const std::vector<Vec2>& places, double margin,
-                        double step);
+SurfaceGrid grid_around(const patch::TexturePlane& plane, const std::vector<Vec2>& places,
+                        double margin, double step);
 
 /// The same grid over a curved base: places and normals as the sampler finds them along the plane's
 /// direction, missing where it finds no face (on_face).
-SurfaceGrid curved_grid(SurfaceGrid flat, const SurfaceSampler& sampler);
+SurfaceGrid curved_grid(SurfaceGrid flat, const patch::SurfaceSampler& sampler);
 
 /// Rows `first_row` .. `first_row + rows` of a grid, as a grid of its own.
 SurfaceGrid row_band(const SurfaceGrid& grid, int first_row, int rows);
@@ -75,4 +76,4 @@ struct Relief {
 /// The machined surface at a cell [mm], work frame.
 Vec3 relief_point(const Relief& relief, int i, int j);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

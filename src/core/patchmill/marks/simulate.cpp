@@ -15,7 +15,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 struct TileGrid {
@@ -194,4 +194,4 @@ MarkStatistics simulate_bands(const ToolMotion& motion, const Cutter& cutter,
   return sum;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

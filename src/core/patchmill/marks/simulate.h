@@ -16,7 +16,7 @@
 
 #include <functional>
 
-namespace patchmill {
+namespace patchmill::marks {
 
 struct MarkOptions {
   /// Height of the uncut surface over the base [mm]; the simulator looks no higher. The reach of
@@ -59,4 +59,4 @@ MarkStatistics simulate_bands(const ToolMotion& motion, const Cutter& cutter,
                               int halo, const std::function<void(const ReliefBand&)>& take,
                               const Progress& progress = {});
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -69,18 +69,19 @@ void keep(const Relief& relief, const Band& band, const FindOptions& find, Textu
 
 }  // namespace
 
-BaseMaker base_on(const SurfaceSampler& sampler) {
+BaseMaker base_on(const patch::SurfaceSampler& sampler) {
   return [sampler](SurfaceGrid flat) { return curved_grid(std::move(flat), sampler); };
 }
 
-BaseMaker base_of_patches(const Dimples& dimples, const TexturePlane& plane, double reach) {
+BaseMaker base_of_patches(const patch::Dimples& dimples, const patch::TexturePlane& plane,
+                          double reach) {
   require_positive("Reach", reach, "mm");
-  auto known = std::make_shared<std::vector<SurfacePoint>>();
+  auto known = std::make_shared<std::vector<patch::SurfacePoint>>();
   std::vector<Vec2> places;
-  for (const Dimple& dimple : dimples) {
+  for (const patch::Dimple& dimple : dimples) {
     const Vec2 place = project(plane, dimple.surface.position);
     const bool seen = dimple.surface.normal.dot(plane.direction) < 0.0;
-    if (dimple.state != DimpleState::Cut || !place.allFinite() || !seen) continue;
+    if (dimple.state != patch::DimpleState::Cut || !place.allFinite() || !seen) continue;
     known->push_back(dimple.surface);
     places.push_back(place);
   }
@@ -93,7 +94,7 @@ BaseMaker base_of_patches(const Dimples& dimples, const TexturePlane& plane, dou
         const Vec2 at = grid.plane_point(i, j);
         const std::size_t k = index->nearest(at);
         if (k == PlaceIndex::kNobody) continue;
-        const SurfacePoint& s = (*known)[k];
+        const patch::SurfacePoint& s = (*known)[k];
         if ((project(grid.plane, s.position) - at).norm() > reach) continue;
         const Vec3& d = grid.plane.direction;
         const auto cell = static_cast<std::size_t>(grid.number(i, j));
@@ -165,4 +166,4 @@ WindowComparison compare_window(const std::vector<DimpleMark>& found,
   return out;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -9,17 +9,18 @@
 #include "patchmill/marks/plan_comparison.h"
 #include "patchmill/marks/simulate.h"
 
-namespace patchmill {
+namespace patchmill::marks {
 
 /// Gives a flat grid its base surface.
 using BaseMaker = std::function<SurfaceGrid(SurfaceGrid flat)>;
 
 /// The faces themselves, as the sampler finds them along the plane's direction.
-BaseMaker base_on(const SurfaceSampler& sampler);
+BaseMaker base_on(const patch::SurfaceSampler& sampler);
 
 /// The planes of planar patches and facets: at each cell the tangent plane of the nearest dimple, none
 /// where that is further away than `reach` [mm]. Copies the dimples. Errors: InputError naming Reach.
-BaseMaker base_of_patches(const Dimples& dimples, const TexturePlane& plane, double reach);
+BaseMaker base_of_patches(const patch::Dimples& dimples, const patch::TexturePlane& plane,
+                          double reach);
 
 struct TextureMarkOptions {
   MarkOptions marks;
@@ -57,4 +58,4 @@ WindowComparison compare_window(const std::vector<DimpleMark>& found,
                                 const std::vector<PlannedPlace>& planned, const Vec2& low,
                                 const Vec2& high, double spacing);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 constexpr int kChunks = kTile / kLanes;  // per row
@@ -188,4 +188,4 @@ void Tile::end(std::vector<float>& field) const {
                 &field[static_cast<std::size_t>(grid_->number(first_column_, first_row_ + j))]);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -5,7 +5,7 @@
 
 #include "patchmill/marks/pass_frame.h"
 
-namespace patchmill {
+namespace patchmill::marks {
 
 constexpr int kTile = 128;  ///< cells along each side; a multiple of kLanes
 
@@ -46,4 +46,4 @@ class Tile {
   PassWay way_;
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

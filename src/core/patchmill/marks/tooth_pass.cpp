@@ -9,7 +9,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::marks {
 namespace {
 
 constexpr double kSample = 0.1;      // [rad], along a pass when looking for where it cuts
@@ -265,4 +265,4 @@ std::vector<ToothPass> find_passes(const ToolMotion& motion, const Cutter& cutte
   return all;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

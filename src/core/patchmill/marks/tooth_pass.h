@@ -9,7 +9,7 @@
 #include "patchmill/marks/motion.h"
 #include "patchmill/marks/relief.h"
 
-namespace patchmill {
+namespace patchmill::marks {
 
 /// One flute over the surface once. A flute that reaches the stock over a long way (the tool's tip)
 /// is split into several passes.
@@ -52,4 +52,4 @@ MotionNode node_at(const MotionRun& run, std::size_t piece, double turned);
 /// run.
 std::size_t piece_at(const MotionRun& run, std::size_t near, double turned);
 
-}  // namespace patchmill
+}  // namespace patchmill::marks

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::mesh {
 namespace {
 
 // With its place anywhere from `lo` to `hi`, from the middle of the tree.
@@ -196,4 +196,4 @@ unsigned drop_above(const DropLeaf& leaf, const DropFloor& over) {
   });
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::mesh

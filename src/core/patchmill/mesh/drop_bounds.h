@@ -17,7 +17,7 @@
 
 #include "patchmill/mesh/drop_tree.h"
 
-namespace patchmill {
+namespace patchmill::mesh {
 
 /// A ball whose place is known to a box of the plan, as the bounds want it: from the middle of the tree, and a
 /// little too large.
@@ -54,4 +54,4 @@ DropFloor drop_floor_over(const DropTree& tree, const Vec2& lo, const Vec2& hi, 
 unsigned drop_above(const DropNode& node, const DropFloor& floor);
 unsigned drop_above(const DropLeaf& leaf, const DropFloor& floor);
 
-}  // namespace patchmill
+}  // namespace patchmill::mesh

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::mesh {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -157,4 +157,4 @@ void DropTree::bound_sides(DropLeaf& leaf, int lane, const Triangle& t) const {
   }
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::mesh

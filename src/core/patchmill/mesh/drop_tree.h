@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::mesh {
 
 struct Triangle {
   Vec3 a, b, c;
@@ -68,4 +68,4 @@ DropLeaf empty_drop_leaf();
 /// Triangle `lane` of one leaf becomes triangle `to_lane` of another.
 void copy_triangle(const DropLeaf& from, int lane, DropLeaf& to, int to_lane);
 
-}  // namespace patchmill
+}  // namespace patchmill::mesh

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::mesh {
 
 constexpr double kFloatError =
     1.0 / (1 << 22);  ///< of a sum of a few floats, relative to its terms
@@ -19,4 +19,4 @@ inline float below(double v) {
   return f - (std::abs(f) * 0x1p-23f + 0x1p-126f);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::mesh

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace patchmill {
+namespace patchmill::mesh {
 
 /// Does the ray from (y, z) towards +z in the y-z plane cross the edge p-q?
 inline bool ray_crosses_edge(const Vec3& p, const Vec3& q, double y, double z) {
@@ -34,4 +34,4 @@ inline bool line_crosses(const Triangle& t, double y, double z, double& x) {
   return true;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::mesh

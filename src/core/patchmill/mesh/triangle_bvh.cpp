@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace patchmill {
+namespace patchmill::mesh {
 namespace {
 
 constexpr std::int32_t kLeaf = 4;
@@ -180,4 +180,14 @@ std::vector<double> line_crossings(const TriangleBvh& bvh, double y, double z) {
   return found;
 }
 
-}  // namespace patchmill
+bool inside(const TriangleBvh& bvh, const Vec3& p) {
+  const std::vector<double> x = line_crossings(bvh, p.y(), p.z());
+  return (x.end() - std::upper_bound(x.begin(), x.end(), p.x())) % 2 != 0;
+}
+
+double signed_distance(const TriangleBvh& bvh, const Vec3& p) {
+  const double distance = closest_point(bvh, p).distance;
+  return inside(bvh, p) ? -distance : distance;
+}
+
+}  // namespace patchmill::mesh

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::mesh {
 
 struct BvhNode {
   Vec3 lo, hi;
@@ -60,4 +60,10 @@ bool is_over(const TriangleBvh& bvh, const Vec3& p, double reach, double least);
 /// 4th...: a line through an edge or a vertex counts each passage once (see parity.h).
 std::vector<double> line_crossings(const TriangleBvh& bvh, double y, double z);
 
-}  // namespace patchmill
+/// Whether a point is inside a closed mesh: by the parity of crossings along x.
+bool inside(const TriangleBvh& bvh, const Vec3& p);
+
+/// Distance from a closed mesh [mm], negative inside.
+double signed_distance(const TriangleBvh& bvh, const Vec3& p);
+
+}  // namespace patchmill::mesh

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::mesh {
 namespace {
 
 Vec3 cross_of(const TriangleMesh& mesh, const std::array<std::int32_t, 3>& t) {
@@ -152,4 +152,4 @@ TriangleMesh box_mesh(const Vec3& lo, const Vec3& hi) {
   return mesh;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::mesh

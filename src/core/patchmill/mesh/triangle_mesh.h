@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::mesh {
 
 struct TriangleMesh {
   std::vector<Vec3> vertices;                          ///< [mm]
@@ -51,4 +51,4 @@ std::vector<std::array<Vec3, 3>> corner_normals(const TriangleMesh& mesh, Angle 
 /// has no volume.
 TriangleMesh box_mesh(const Vec3& lo, const Vec3& hi);
 
-}  // namespace patchmill
+}  // namespace patchmill::mesh

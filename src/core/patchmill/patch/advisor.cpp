@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 double offset(MarkArray array) {
@@ -170,4 +170,4 @@ std::string describe_changes(const FreePatch& w, const MarkProposal& proposal) {
   return text.empty() ? "nothing changes" : text;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

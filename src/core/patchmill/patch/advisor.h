@@ -16,7 +16,7 @@
 
 #include <optional>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// What the user wants. Give either `feed_per_tooth` or `ridge_height`.
 struct MarkWish {
@@ -58,4 +58,4 @@ std::vector<MarkProposal> advise(const MarkWish& wish);
 /// %)".
 std::string describe_changes(const FreePatch& wished, const MarkProposal& proposal);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 double distance(const Vec3& p, const Segment3& s) {
@@ -118,4 +118,4 @@ void drop_slivers(Dimples& dimples, int least) {
   }
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

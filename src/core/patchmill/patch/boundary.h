@@ -7,7 +7,7 @@
 #include "patchmill/geometry/angle.h"
 #include "patchmill/patch/dimple.h"
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// Cut dimples whose normal is further than `limit` from -direction become TooSteep, or Undercut if
 /// it looks away altogether. `direction` is unit, into the material.
@@ -28,4 +28,4 @@ void keep_off_edges(Dimples& dimples, const std::vector<Segment3>& edges, double
 /// Errors: InputError naming MinimumDimples if it is negative.
 void drop_slivers(Dimples& dimples, int least);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 // Nodes by lattice point, over the range that the threads reach.
@@ -186,4 +186,4 @@ std::optional<SurfaceLattice> chebyshev_net(const LatticeRequest& request,
   return lattice;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

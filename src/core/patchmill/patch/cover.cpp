@@ -11,7 +11,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 void require_count(const PatchPattern& p, double patches, std::int64_t max_dimples) {
@@ -196,4 +196,4 @@ PatchDivision keep_patches(PatchDivision d, const std::function<bool(const Latti
   return d;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// A block of `patches_x` by `patches_y` patches, centred on the texture plane's origin. Rows of
 /// triangles count upright and inverted ones; hexagons stand in columns.
@@ -32,4 +32,4 @@ PatchDivision cover(const PatchPattern& pattern, const Box2& area, const Vec2& a
 PatchDivision keep_patches(PatchDivision division,
                            const std::function<bool(const LatticePoint&)>& keep);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

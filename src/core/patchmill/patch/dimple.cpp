@@ -4,7 +4,7 @@
 
 #include "patchmill/geometry/error.h"
 
-namespace patchmill {
+namespace patchmill::patch {
 
 const char* name(DimpleState state) {
   switch (state) {
@@ -43,4 +43,4 @@ std::array<std::int64_t, kDimpleStates> count_states(const Dimples& dimples) {
   return count;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// What became of one lattice point. Everything but Cut is left out of the path, and counted.
 enum class DimpleState : std::uint8_t {
@@ -58,4 +58,4 @@ void sink(Dimples& dimples, double depth);
 /// How many dimples there are of each state, indexed by DimpleState; the sum is dimples.size().
 std::array<std::int64_t, kDimpleStates> count_states(const Dimples& dimples);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

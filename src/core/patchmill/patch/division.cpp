@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 // Corners of the cell (0, 0) in lattice coordinates, counter-clockwise.
@@ -141,4 +141,4 @@ double link_length(const PatchDivision& d) {
   return sum;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

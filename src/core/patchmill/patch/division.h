@@ -11,7 +11,7 @@
 #include "patchmill/patch/helix.h"
 #include "patchmill/patch/texture_plane.h"
 
-namespace patchmill {
+namespace patchmill::patch {
 
 using Box2 = Eigen::AlignedBox2d;
 using Polygon = std::vector<Vec2>;
@@ -76,4 +76,4 @@ Dimples lattice_points(const PatchDivision& division, std::int64_t max_dimples =
 /// to the first of the next, summed up [mm].
 double link_length(const PatchDivision& division);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

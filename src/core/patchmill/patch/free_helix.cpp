@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 double apothem(const FreePatch& patch) {
   return 0.5 * patch.side / std::tan(kPi / patch.corners);
@@ -93,4 +93,4 @@ std::vector<HelixMark> helix_marks(const std::vector<HelixSide>& path, double fe
   return marks;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -12,7 +12,7 @@
 
 #include "patchmill/patch/helix.h"
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// The parameters of one patch in free form.
 struct FreePatch {
@@ -55,4 +55,4 @@ double path_length(const std::vector<HelixSide>& path);
 /// error beyond, so that a mark on the end itself is there).
 std::vector<HelixMark> helix_marks(const std::vector<HelixSide>& path, double feed_per_tooth);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

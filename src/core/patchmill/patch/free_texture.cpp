@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 constexpr int kFitGrid = 7;
@@ -188,4 +188,4 @@ std::optional<PlacedFreeTexture> place_free(const FreePatch& patch, HelixOrder o
   return placed;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

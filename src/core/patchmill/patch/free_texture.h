@@ -15,7 +15,7 @@
 
 #include <optional>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// The lattice that patches stand on, as a pattern of patches with one point each: cover() and
 /// patch_block() of it give the stands. Errors: as require_valid(patch), and InputError naming Corners
@@ -62,4 +62,4 @@ std::optional<PlacedFreeTexture> place_free(const FreePatch& patch, HelixOrder o
 /// Corners of the polygon in its plane, counter-clockwise, the start of the first side first.
 Polygon free_outline(const FreePatch& patch);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 // Appends the points met going `steps` steps from `at` in direction (dx, dy).
@@ -114,4 +114,4 @@ std::vector<LatticePoint> patch_helix(PatchShape shape, int size, HelixOrder ord
   return path;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 enum class HelixOrder : std::uint8_t { Inward, Outward };
 
@@ -52,4 +52,4 @@ std::vector<LatticePoint> triangle_helix(int side, bool down, HelixOrder order);
 std::vector<LatticePoint> patch_helix(PatchShape shape, int size, HelixOrder order,
                                       bool down = false, int turn = 0);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

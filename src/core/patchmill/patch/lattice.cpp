@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 Vec2 second_axis(LatticeKind kind) {
   return kind == LatticeKind::Square ? Vec2(0.0, 1.0) : Vec2(0.5, std::sqrt(0.75));
@@ -32,4 +32,4 @@ double cell_area(LatticeKind kind) {
   return second_axis(kind).y();
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -6,7 +6,7 @@
 
 #include "patchmill/patch/dimple.h"
 
-namespace patchmill {
+namespace patchmill::patch {
 
 enum class LatticeKind : std::uint8_t { Square, Triangular };
 
@@ -34,4 +34,4 @@ int lattice_distance(LatticeKind kind, const LatticePoint& p);
 /// Area of the plane that one lattice point stands for, for spacing 1.
 double cell_area(LatticeKind kind);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

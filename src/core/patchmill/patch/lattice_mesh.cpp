@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 // A missing node completes parallelograms a + b - c over the net's border: a and b are next to it
@@ -157,4 +157,4 @@ void forget_outside(LatticeMesh& mesh, int layers) {
   mesh.index.swap(kept.index);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -8,7 +8,7 @@
 
 #include <map>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// The six neighbours of a lattice point, counter-clockwise.
 constexpr int kLatticeRing[6][2] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
@@ -62,4 +62,4 @@ bool place_nodes(LatticeMesh& mesh, const std::vector<Vec2>& places, bool again)
 /// Leaves only nodes at most `layers` steps away from live ones, and the start.
 void forget_outside(LatticeMesh& mesh, int layers);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

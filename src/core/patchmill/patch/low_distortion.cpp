@@ -15,7 +15,7 @@
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 constexpr double kCoarseNodes = 2000.0;  // about so many are relaxed
@@ -182,4 +182,4 @@ std::optional<SurfaceLattice> low_distortion_lattice(const LatticeRequest& reque
   return as_lattice(mesh, request);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 struct Edge {
@@ -143,4 +143,4 @@ void set_depth(Dimples& dimples, const LatticePlace& place_of, const Mask& mask,
   });
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

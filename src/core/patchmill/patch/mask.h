@@ -6,7 +6,7 @@
 #include "patchmill/patch/division.h"
 #include "patchmill/patch/sampler.h"
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// Value of a mask at a place of the texture plane [mm]: 0 to 1.
 using Mask = std::function<double(const Vec2& place)>;
@@ -47,4 +47,4 @@ void thin_out(Dimples& dimples, const LatticePlace& place_of, const Mask& mask);
 void set_depth(Dimples& dimples, const LatticePlace& place_of, const Mask& mask, double depth_at_0,
                double depth_at_1, double least = 0.0);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 const Vec2 kMissing = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -54,4 +54,4 @@ Vec2 NodeGrid::at(const Vec2& coordinates) const {
                  along_row(u, i, j + 2), v);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 class NodeGrid {
  public:
@@ -41,4 +41,4 @@ class NodeGrid {
   std::vector<Vec2> places_;
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

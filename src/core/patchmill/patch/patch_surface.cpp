@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 constexpr std::size_t kBatch = 1 << 16;
@@ -237,4 +237,4 @@ std::optional<Dimples> sample_patches(const PatchDivision& division, const Textu
   return sample_patches(division, plane, flat, sampler, surface, progress);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 enum class SurfaceKind : std::uint8_t {
   Planar,   ///< one plane to a patch
@@ -67,4 +67,4 @@ struct FitPlane {
 std::optional<FitPlane> best_fit_plane(const std::vector<SurfacePoint>& points,
                                        const Vec3& direction);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

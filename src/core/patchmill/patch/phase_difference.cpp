@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 double fraction(double x) {
@@ -102,4 +102,4 @@ std::vector<MeasuredPhase> measure_phase(const std::vector<HelixSide>& path,
   return phases;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -16,7 +16,7 @@
 
 #include <string>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// Length of the path between facing points of laps k and k+1 on side i [mm].
 double facing_length(const FreePatch& patch, int lap, int sector);
@@ -65,4 +65,4 @@ std::vector<MeasuredPhase> measure_phase(const std::vector<HelixSide>& path,
                                          const std::vector<HelixMark>& marks,
                                          double feed_per_tooth);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

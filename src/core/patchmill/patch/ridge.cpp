@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 double covering_radius(const Vec2& first, const Vec2& second) {
   Vec2 a = first, b = second;
@@ -55,4 +55,4 @@ double peak_height(double ball_radius, double feed_per_tooth, double cross_feed,
   return cusp_height(ball_radius, covering_radius(along, across));
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -7,7 +7,7 @@
 
 #include "patchmill/geometry/vec.h"
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// Greatest distance of any point of the plane from the nearest point of the lattice with basis a,
 /// b: the circumradius of its acute triangle. Errors: InputError naming Lattice if a and b are
@@ -27,4 +27,4 @@ double cusp_distance(double ball_radius, double height);
 /// the one before [mm]: phase 0 is the square array, 1/2 the staggered one.
 double peak_height(double ball_radius, double feed_per_tooth, double cross_feed, double phase);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// Where the projection ray of a place first meets the faces.
 struct SurfaceSample {
@@ -29,4 +29,4 @@ inline bool on_face(DimpleState state) {
          state == DimpleState::Undercut;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

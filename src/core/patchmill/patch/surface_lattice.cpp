@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 struct PointHash {
@@ -129,4 +129,4 @@ SpacingSpread spacing_spread(const Dimples& dimples, LatticeKind kind, double sp
   return spread;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -27,7 +27,7 @@
 #include <memory>
 #include <optional>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// How a lattice comes on the surface.
 enum class Mapping : std::uint8_t {
@@ -102,4 +102,4 @@ struct SpacingSpread {
 /// turn and greatest_angle zero. `spacing` [mm], > 0.
 SpacingSpread spacing_spread(const Dimples& dimples, LatticeKind kind, double spacing);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -8,7 +8,7 @@
 
 #include <Eigen/LU>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 constexpr double kSteepest = 0.0872;      // cos 85°
@@ -114,4 +114,4 @@ void take_steps(const TexturePlane& plane, const SurfaceSampler& sampler,
   }
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

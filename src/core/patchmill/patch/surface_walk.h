@@ -6,7 +6,7 @@
 
 #include "patchmill/patch/sampler.h"
 
-namespace patchmill {
+namespace patchmill::patch {
 
 /// A point of the surface, or of a plane that carries it on where the faces end.
 struct WalkPoint {
@@ -62,4 +62,4 @@ struct WalkStep {
 void take_steps(const TexturePlane& plane, const SurfaceSampler& sampler,
                 std::vector<WalkStep>& steps);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 TexturePlane texture_plane(const Vec3& origin, const Vec3& direction, const Vec3& x_hint,
                            double rotation) {
@@ -33,4 +33,4 @@ TexturePlane texture_plane(const Vec3& origin, const Vec3& direction, const Vec3
   return plane;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

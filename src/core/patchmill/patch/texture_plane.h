@@ -6,7 +6,7 @@
 #include "patchmill/geometry/error.h"
 #include "patchmill/geometry/vec.h"
 
-namespace patchmill {
+namespace patchmill::patch {
 
 struct TexturePlane {
   Vec3 origin = Vec3::Zero();
@@ -24,4 +24,4 @@ struct TexturePlane {
 TexturePlane texture_plane(const Vec3& origin, const Vec3& direction, const Vec3& x_hint,
                            double rotation);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

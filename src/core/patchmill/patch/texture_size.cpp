@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::patch {
 namespace {
 
 constexpr double kSlack = 1e-4;
@@ -147,4 +147,4 @@ TextureSize complete(const TextureWish& wish) {
   return size;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

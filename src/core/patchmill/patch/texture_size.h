@@ -18,7 +18,7 @@
 
 #include <optional>
 
-namespace patchmill {
+namespace patchmill::patch {
 
 enum class TextureKind : std::uint8_t { Overlapping, Isolated };
 
@@ -53,4 +53,4 @@ struct TextureSize {
 /// between overlapping ones, and Tilt if the tip would rub at the tilt.
 TextureSize complete(const TextureWish& wish);
 
-}  // namespace patchmill
+}  // namespace patchmill::patch

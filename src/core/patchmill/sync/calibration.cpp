@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 namespace {
 
@@ -69,4 +69,4 @@ ToolPath with_start_phase(ToolPath path, Angle start_phase, Angle period,
                    "the path has no timed move before its first dimple that could be lengthened.");
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

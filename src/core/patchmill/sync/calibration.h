@@ -10,7 +10,7 @@
 #include "patchmill/path/tool_path.h"
 #include "patchmill/sync/phase_rule.h"
 
-namespace patchmill {
+namespace patchmill::sync {
 
 /// Points along the side of the smallest square patch on which every phase occurs once and `spare`
 /// times more: side² >= (1 + spare) period / step. Errors: InputError naming PhasePeriod if
@@ -29,4 +29,4 @@ Angle start_phase(std::int64_t best_dimple, Angle step, Angle period);
 /// known length and turns before its first dimple.
 ToolPath with_start_phase(ToolPath path, Angle start_phase, Angle period, const Decimals& decimals);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 constexpr double kGoodFit = 2e-5;  // mm of length: 0.017 degrees at the paper's F and S
@@ -58,8 +58,9 @@ Vec3 apex(const Vec3& a, const Vec3& b, const Vec3& up, double length) {
   return a + 0.5 * across + h * lift.normalized();
 }
 
-ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
-                            const ConstantFeed& rule, const Decimals& decimals) {
+ToolPath constant_feed_path(const patch::Dimples& dimples, const BallEndMill& tool,
+                            const Spindle& spindle, const ConstantFeed& rule,
+                            const Decimals& decimals) {
   require_valid(rule, tool, spindle);
   const std::vector<PlannedDimple> planned =
       planned_dimples(dimples, tool.radius, rule.phase, decimals);
@@ -91,4 +92,4 @@ ToolPath constant_feed_path(const Dimples& dimples, const BallEndMill& tool, con
   return path;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 Angle tilt(const Vec3& normal, const Vec3& axis) {
   return Angle::between(normal, axis);
@@ -16,14 +16,14 @@ Angle contact_azimuth(const Vec3& n) {
   return Angle::radians(std::atan2(-n.y(), -n.x()));
 }
 
-void mark_tool_tip(Dimples& dimples, const Vec3& axis, Angle least_tilt) {
+void mark_tool_tip(patch::Dimples& dimples, const Vec3& axis, Angle least_tilt) {
   require_in_range("MinimumTilt", least_tilt.degrees(), 1e-6, 89.0, "degrees");
   const Vec3 t_axis = unit_along("ToolAxis", axis);
-  for (Dimple& dimple : dimples) {
-    if (dimple.state != DimpleState::Cut) continue;
+  for (patch::Dimple& dimple : dimples) {
+    if (dimple.state != patch::DimpleState::Cut) continue;
     const Angle t = tilt(dimple.surface.normal, t_axis);
-    if (t < least_tilt || t.degrees() >= 90.0) dimple.state = DimpleState::ToolTip;
+    if (t < least_tilt || t.degrees() >= 90.0) dimple.state = patch::DimpleState::ToolTip;
   }
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -7,7 +7,7 @@
 #include "patchmill/geometry/angle.h"
 #include "patchmill/patch/dimple.h"
 
-namespace patchmill {
+namespace patchmill::sync {
 
 /// Angle between the surface normal and the tool axis, both unit vectors: 0 .. pi. Accurate at 0.
 Angle tilt(const Vec3& normal, const Vec3& axis);
@@ -22,6 +22,6 @@ Angle contact_azimuth(const Vec3& normal_in_housing);
 /// 2008, section 2.1: incline the tool, avoid machining with the tip. Errors: InputError naming
 /// MinimumTilt if `least_tilt` is not in 1e-6 .. 89 degrees (0 would accept n || t), or ToolAxis if `axis`,
 /// which need not be unit, is zero or not finite.
-void mark_tool_tip(Dimples& dimples, const Vec3& axis, Angle least_tilt);
+void mark_tool_tip(patch::Dimples& dimples, const Vec3& axis, Angle least_tilt);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

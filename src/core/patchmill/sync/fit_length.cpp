@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 constexpr double kPredicted = 0.01;  // of a unit: how well a step's length is predicted
@@ -97,4 +97,4 @@ Vec3 fit_corner(const Vec3& a, const Vec3& ideal, const Vec3& b, double length,
   return decimals.round(best.corner());
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

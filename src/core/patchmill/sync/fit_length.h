@@ -6,7 +6,7 @@
 
 #include "patchmill/path/rounding.h"
 
-namespace patchmill {
+namespace patchmill::sync {
 
 inline double way_over(const Vec3& a, const Vec3& corner, const Vec3& b) {
   return (corner - a).norm() + (b - corner).norm();
@@ -20,4 +20,4 @@ inline double way_over(const Vec3& a, const Vec3& corner, const Vec3& b) {
 Vec3 fit_corner(const Vec3& a, const Vec3& ideal, const Vec3& b, double length,
                 const Decimals& decimals, double good_enough);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

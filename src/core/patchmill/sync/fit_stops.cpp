@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 constexpr double kFlattest = 0.02;  // of the planned detour
@@ -25,7 +25,7 @@ double timed_length(const ToolPath& path) {
 
 class Fitter {
  public:
-  Fitter(const ToolPath& path, const MotionModel& model, double feed, double period,
+  Fitter(const ToolPath& path, const machine::MotionModel& model, double feed, double period,
          const Decimals& decimals)
       : model_(model),
         decimals_(decimals),
@@ -54,11 +54,12 @@ class Fitter {
     const double length = way.norm();
     if (!(length > 0.0)) return 0.0;
     // every vertex is a kink, of which the controller keeps a share
-    Corner kink;
+    machine::Corner kink;
     kink.kink = true;
-    const double a = acceleration_beside(kink, kink, acceleration_along(model_, way / length));
-    const double speed = std::min(feed_, velocity_along(model_, way / length));
-    return sampled_stop_time(length, speed, a, model_.period);
+    const double a =
+        machine::acceleration_beside(kink, kink, machine::acceleration_along(model_, way / length));
+    const double speed = std::min(feed_, machine::velocity_along(model_, way / length));
+    return machine::sampled_stop_time(length, speed, a, model_.period);
   }
 
   /// The group's vertices at `share` of their planned distances from the chord.
@@ -124,7 +125,7 @@ class Fitter {
     }
   }
 
-  const MotionModel& model_;
+  const machine::MotionModel& model_;
   const Decimals& decimals_;
   double feed_, phase_seconds_;
   double owed_ = 0.0;
@@ -133,8 +134,8 @@ class Fitter {
 
 }  // namespace
 
-StopFit fit_to_stops(const ToolPath& path, const MotionModel& model, double feed, double period,
-                     const Decimals& decimals) {
+StopFit fit_to_stops(const ToolPath& path, const machine::MotionModel& model, double feed,
+                     double period, const Decimals& decimals) {
   require_valid(model);
   require_positive("Feed", feed * 60.0, "mm/min");
   require_positive("PhasePeriod", period, "turns");
@@ -156,4 +157,4 @@ StopFit fit_to_stops(const ToolPath& path, const MotionModel& model, double feed
   return Fitter(path, model, feed, period, decimals).run();
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

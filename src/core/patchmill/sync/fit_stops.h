@@ -11,7 +11,7 @@
 #include "patchmill/path/rounding.h"
 #include "patchmill/path/tool_path.h"
 
-namespace patchmill {
+namespace patchmill::sync {
 
 struct StopFit {
   ToolPath path;             ///< `turns` are length / feed, as posted: predict() knows the stops
@@ -25,7 +25,7 @@ struct StopFit {
 /// does not change. Errors: InputError naming PathTolerance (the model rounds corners), MaxJerk
 /// (finite), Pace (a locked move), Feed (not positive, or so small that the path takes over 1e8 interpolation
 /// periods), or the model's own.
-StopFit fit_to_stops(const ToolPath& path, const MotionModel& model, double feed, double period,
-                     const Decimals& decimals);
+StopFit fit_to_stops(const ToolPath& path, const machine::MotionModel& model, double feed,
+                     double period, const Decimals& decimals);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

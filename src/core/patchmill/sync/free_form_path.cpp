@@ -10,11 +10,11 @@
 #include <algorithm>
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
-void require_valid(const FreeTexture& texture, const BallEndMill& tool, const Spindle& spindle,
-                   const ConstantFeed& rule) {
+void require_valid(const patch::FreeTexture& texture, const BallEndMill& tool,
+                   const Spindle& spindle, const ConstantFeed& rule) {
   require_positive("Feed", rule.feed * 60.0, "mm/min");
   require_turning_tool(tool, spindle);
   require_in_range("Flutes", tool.flutes, 1, 32, "flutes");
@@ -29,7 +29,7 @@ void require_valid(const FreeTexture& texture, const BallEndMill& tool, const Sp
 }
 
 // Marks of this texture, by number.
-void require_of(const FreeTexture& texture, const Dimples& dimples) {
+void require_of(const patch::FreeTexture& texture, const patch::Dimples& dimples) {
   require_one_each("Dimples", dimples.size(), texture.marks.size() * texture.frames.size(),
                    "marks of the texture");
 }
@@ -37,7 +37,7 @@ void require_of(const FreeTexture& texture, const Dimples& dimples) {
 // Tips of a vertical tool over the helix of one patch.
 class PatchTips {
  public:
-  PatchTips(const FreeTexture& texture, const Dimple& dimple, double radius,
+  PatchTips(const patch::FreeTexture& texture, const patch::Dimple& dimple, double radius,
             const Decimals& decimals)
       : path_(texture.path),
         frame_(texture.frames[static_cast<std::size_t>(dimple.patch)]),
@@ -46,7 +46,7 @@ class PatchTips {
 
   /// The tip at `s` along the helix, carried on straight beyond its ends.
   Vec3 at(double s) const {
-    const HelixSide& side = path_[side_at(s)];
+    const patch::HelixSide& side = path_[side_at(s)];
     const Vec2 along = (side.end - side.start).normalized();
     return decimals_.round(frame_.at(side.start + (s - side.at) * along) + lift_);
   }
@@ -61,21 +61,21 @@ class PatchTips {
 
  private:
   std::size_t side_at(double s) const {
-    const auto after =
-        std::upper_bound(path_.begin() + 1, path_.end(), s,
-                         [](double length, const HelixSide& side) { return length < side.at; });
+    const auto after = std::upper_bound(
+        path_.begin() + 1, path_.end(), s,
+        [](double length, const patch::HelixSide& side) { return length < side.at; });
     return static_cast<std::size_t>(after - path_.begin() - 1);
   }
-  const std::vector<HelixSide>& path_;
-  const FreeFrame& frame_;
+  const std::vector<patch::HelixSide>& path_;
+  const patch::FreeFrame& frame_;
   Vec3 lift_;
   const Decimals& decimals_;
 };
 
 }  // namespace
 
-ToolPath free_form_path(const FreeTexture& texture, const Dimples& dimples, const BallEndMill& tool,
-                        const Spindle& spindle, const ConstantFeed& rule,
+ToolPath free_form_path(const patch::FreeTexture& texture, const patch::Dimples& dimples,
+                        const BallEndMill& tool, const Spindle& spindle, const ConstantFeed& rule,
                         const Decimals& decimals) {
   require_valid(texture, tool, spindle, rule);
   require_of(texture, dimples);
@@ -83,10 +83,10 @@ ToolPath free_form_path(const FreeTexture& texture, const Dimples& dimples, cons
   const double f_z = texture.patch.feed_per_tooth, slack = 1e-12 * f_z;
   ToolPath path{tool, spindle, {}, {}};
   PathAccount build(path, turns_per_mm, rule.safe_height);
-  const Dimple* before = nullptr;
+  const patch::Dimple* before = nullptr;
   double slip = 0.0;  // of the last mark along the helix, from where it was planned
-  for (const Dimple& dimple : dimples) {
-    if (dimple.state != DimpleState::Cut) continue;
+  for (const patch::Dimple& dimple : dimples) {
+    if (dimple.state != patch::DimpleState::Cut) continue;
     const auto number = static_cast<std::int32_t>(&dimple - dimples.data());
     const PatchTips tips(texture, dimple, tool.radius, decimals);
     const double s = dimple.lattice[0] * f_z;
@@ -131,7 +131,7 @@ ToolPath free_form_path(const FreeTexture& texture, const Dimples& dimples, cons
 namespace {
 
 // The helix' side nearest to a place of its plane, from `first` on.
-int nearest_side(const std::vector<HelixSide>& path, int first, const Vec2& p) {
+int nearest_side(const std::vector<patch::HelixSide>& path, int first, const Vec2& p) {
   int best = first;
   double least = std::numeric_limits<double>::infinity();
   for (int k = first; k < static_cast<int>(path.size()); ++k) {
@@ -148,17 +148,18 @@ int nearest_side(const std::vector<HelixSide>& path, int first, const Vec2& p) {
 
 }  // namespace
 
-std::vector<MeasuredPhase> measure_phase(const ToolPath& path, const FreeTexture& texture,
-                                         const Dimples& dimples, int patch) {
+std::vector<patch::MeasuredPhase> measure_phase(const ToolPath& path,
+                                                const patch::FreeTexture& texture,
+                                                const patch::Dimples& dimples, int patch) {
   constexpr double kSlack = 1e-11;  // turns
   require_of(texture, dimples);
   require_in_range("Patch", patch, 0, double(texture.frames.size()) - 1.0, "");
   for (const Move& move : path.moves)
     if (move.dimple != kNoDimple)
       require_in_range("Dimple", move.dimple, 0, double(dimples.size()) - 1.0, "");
-  const FreeFrame& frame = texture.frames[static_cast<std::size_t>(patch)];
+  const patch::FreeFrame& frame = texture.frames[static_cast<std::size_t>(patch)];
   const double tooth = 1.0 / path.tool.flutes;
-  std::vector<HelixMark> marks;
+  std::vector<patch::HelixMark> marks;
   double turns = 0.0;             // since the patch's first mark
   std::int64_t tooth_number = 0;  // that comes by next
   bool inside = false;
@@ -174,7 +175,7 @@ std::vector<MeasuredPhase> measure_phase(const ToolPath& path, const FreeTexture
   double depth = 0.0;
   for (const Move& move : path.moves) {
     const Vec3 way = move.end.tip - from;
-    const Dimple* at =
+    const patch::Dimple* at =
         move.dimple == kNoDimple ? nullptr : &dimples[static_cast<std::size_t>(move.dimple)];
     if (at && at->patch == patch) depth = at->depth;
     if (at && at->patch != patch && inside) break;
@@ -194,4 +195,4 @@ std::vector<MeasuredPhase> measure_phase(const ToolPath& path, const FreeTexture
   return measure_phase(texture.path, marks, texture.patch.feed_per_tooth);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

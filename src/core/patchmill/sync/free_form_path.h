@@ -8,7 +8,7 @@
 #include "patchmill/patch/phase_difference.h"
 #include "patchmill/sync/constant_feed.h"
 
-namespace patchmill {
+namespace patchmill::sync {
 
 /// The path of a fixed vertical tool over all Cut marks of `dimples`, which are those of `texture` with
 /// some left out. Marks are one tooth apart; links, to the next patch and over marks left out, arrive
@@ -18,15 +18,17 @@ namespace patchmill {
 /// Errors: as constant_feed_path(), and InputError naming FeedPerTooth if feed / (N S) is not the
 /// texture's by one part in 10⁶, ExtraTurns or SameFlute if the rule is not one tooth of any flute, or Dimples
 /// if they are not the texture's.
-ToolPath free_form_path(const FreeTexture& texture, const Dimples& dimples, const BallEndMill& tool,
-                        const Spindle& spindle, const ConstantFeed& rule, const Decimals& decimals);
+ToolPath free_form_path(const patch::FreeTexture& texture, const patch::Dimples& dimples,
+                        const BallEndMill& tool, const Spindle& spindle, const ConstantFeed& rule,
+                        const Decimals& decimals);
 
 /// Phase differences of neighbouring passes of patch number `patch` as a path makes them: teeth are
 /// counted along its moves from the patch's first mark on, where each comes by is brought back to the
 /// patch's plane, and measure_phase() compares the passes. Knows the path's moves and the helix' sides,
 /// not where marks were planned. `dimples` gives the depth. Moves of unknown duration end it. Errors:
 /// InputError naming Dimples (not the texture's), Patch or Dimple (a number that there is not).
-std::vector<MeasuredPhase> measure_phase(const ToolPath& path, const FreeTexture& texture,
-                                         const Dimples& dimples, int patch);
+std::vector<patch::MeasuredPhase> measure_phase(const ToolPath& path,
+                                                const patch::FreeTexture& texture,
+                                                const patch::Dimples& dimples, int patch);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

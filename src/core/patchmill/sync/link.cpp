@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 constexpr double kGoodFit = 1e-5;  // mm: 0.008 degrees at the paper's F and S
@@ -63,4 +63,4 @@ std::array<Vec3, 2> link_corners(const LinkRequest& r, const Decimals& decimals)
   return best;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

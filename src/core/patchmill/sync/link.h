@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 struct LinkRequest {
   Vec3 from, to;             ///< tool tips on the decimals; vertical tool
@@ -28,4 +28,4 @@ double link_length(const LinkRequest& request, const std::array<Vec3, 2>& corner
 /// How far `length` is from the nearest length that keeps the phase [mm], signed.
 double length_miss(const LinkRequest& request, double length);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

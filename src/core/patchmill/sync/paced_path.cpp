@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 constexpr double kRowHeadroom = 1.8;  // kinks of a row are passed at up to this multiple of speed
@@ -28,7 +28,7 @@ struct Step {
 };
 
 void require_valid(const PacedRule& rule, std::size_t dimples, const BallEndMill& tool,
-                   const Spindle& spindle, const MotionModel& model) {
+                   const Spindle& spindle, const machine::MotionModel& model) {
   require_valid(model);
   require_valid(rule.phase, tool.flutes);
   require_turning_tool(tool, spindle);
@@ -76,7 +76,7 @@ class Builder {
  public:
   Builder(const std::vector<PlannedDimple>& planned, const std::vector<Step>& steps,
           const PacedRule& rule, const BallEndMill& tool, const Spindle& spindle,
-          const MotionModel& model, const Decimals& decimals)
+          const machine::MotionModel& model, const Decimals& decimals)
       : planned_(planned),
         steps_(steps),
         rule_(rule),
@@ -128,7 +128,7 @@ class Builder {
   bool smooth(const Vec3& a, const Vec3& b) const {
     const double v = kRowHeadroom * shape_speed_;
     return Angle::between(a, b).radians() < 0.5 &&
-           tolerance_for_speed(Angle::between(a, b).radians(), v, model_.acceleration) <=
+           machine::tolerance_for_speed(Angle::between(a, b).radians(), v, model_.acceleration) <=
                kCoarsestRow;
   }
   bool in_row(std::size_t i, const Vec3& direction) const {
@@ -143,7 +143,8 @@ class Builder {
           smooth(steps_[i - 1].direction, steps_[i].direction))
         kink =
             std::max(kink, Angle::between(steps_[i - 1].direction, steps_[i].direction).radians());
-    const double t = tolerance_for_speed(kink, kRowHeadroom * shape_speed_, model_.acceleration);
+    const double t =
+        machine::tolerance_for_speed(kink, kRowHeadroom * shape_speed_, model_.acceleration);
     return std::ceil(std::max(t, kFinestRounding) / kFinestRounding) * kFinestRounding;
   }
   /// How the tool runs over dimple i: along the step that follows in its patch, else along the
@@ -210,14 +211,14 @@ class Builder {
   /// between the two stops, which starts at `free`, takes up the sum.
   void keep_pitches() {
     ToolPath& path = result_.path;
-    const std::vector<Corner> corner = corners(path, model_);
+    const std::vector<machine::Corner> corner = machine::corners(path, model_);
     std::vector<double> pitch(path.moves.size(), 0.0);
     Vec3 from = path.start.tip;
     for (std::size_t i = 0; i < pitch.size(); ++i) {
       pitch[i] = (path.moves[i].end.tip - from).norm() / path.moves[i].turns;
       from = path.moves[i].end.tip;
     }
-    const std::vector<double> turns = locked_turns(path, corner, pitch);
+    const std::vector<double> turns = machine::locked_turns(path, corner, pitch);
     for (const Span& span : spans_)
       for (std::size_t i = span.first; i < span.last; ++i) {
         if (i == span.free) continue;
@@ -243,7 +244,7 @@ class Builder {
   const std::vector<Step>& steps_;
   const PacedRule& rule_;
   const Spindle& spindle_;
-  const MotionModel& model_;
+  const machine::MotionModel& model_;
   const Decimals& decimals_;
   double period_;
   double shape_speed_ = fastest_row();
@@ -259,9 +260,9 @@ class Builder {
 
 // One tooth per dimple must not be faster than the axes.
 void require_reachable(const std::vector<PlannedDimple>& planned, const std::vector<Step>& steps,
-                       const Spindle& spindle, const MotionModel& model) {
+                       const Spindle& spindle, const machine::MotionModel& model) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const double limit = velocity_along(model, steps[i].direction);
+    const double limit = machine::velocity_along(model, steps[i].direction);
     const double speed = steps[i].pitch() * spindle.speed;
     if (planned[i].patch == planned[i + 1].patch && speed > limit)
       throw InputError("MaxVelocity", fmt::format("{} mm/s", model.velocity),
@@ -273,8 +274,9 @@ void require_reachable(const std::vector<PlannedDimple>& planned, const std::vec
 
 }  // namespace
 
-PacedPath paced_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
-                     const PacedRule& rule, const MotionModel& model, const Decimals& decimals) {
+PacedPath paced_path(const patch::Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
+                     const PacedRule& rule, const machine::MotionModel& model,
+                     const Decimals& decimals) {
   require_valid(rule, dimples.size(), tool, spindle, model);
   const std::vector<PlannedDimple> planned =
       planned_dimples(dimples, tool.radius, rule.phase, decimals);
@@ -288,4 +290,4 @@ PacedPath paced_path(const Dimples& dimples, const BallEndMill& tool, const Spin
   return Builder(planned, steps, rule, tool, spindle, model, decimals).build();
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -13,7 +13,7 @@
 #include "patchmill/path/rounding.h"
 #include "patchmill/sync/phase_rule.h"
 
-namespace patchmill {
+namespace patchmill::sync {
 
 struct PacedRule {
   Pace pace = Pace::SpindleLocked;
@@ -43,7 +43,8 @@ struct PacedPath {
 /// naming SpindleLock (the model's controller cannot), MaxVelocity (one tooth per dimple is too
 /// fast for an axis), ExtraTurns, Flutes, Lift, Turning (0 .. 1e6 s), ToolAxis (a wrong number), SafeHeight, ClearanceHeight, Dimples, or the
 /// model's own.
-PacedPath paced_path(const Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
-                     const PacedRule& rule, const MotionModel& model, const Decimals& decimals);
+PacedPath paced_path(const patch::Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
+                     const PacedRule& rule, const machine::MotionModel& model,
+                     const Decimals& decimals);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 class PathAccount {
  public:
@@ -77,4 +77,4 @@ class PathAccount {
   double owed_ = 0.0;
 };
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

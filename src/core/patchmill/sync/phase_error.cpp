@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 std::vector<PhaseError> phase_errors(const ToolPath& path, const std::vector<Angle>& wanted,
                                      Angle period) {
@@ -63,4 +63,4 @@ PhaseErrorSummary summary(const std::vector<PhaseError>& errors) {
   return s;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 struct PhaseError {
   std::int32_t dimple = kNoDimple;
@@ -35,4 +35,4 @@ struct PhaseErrorSummary {
 /// Of no errors: all zero.
 PhaseErrorSummary summary(const std::vector<PhaseError>& errors);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

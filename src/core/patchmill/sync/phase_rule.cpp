@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 Angle phase_period(int flutes, FluteChoice choice) {
   require_in_range("Flutes", flutes, 1, 32, "flutes");
@@ -28,7 +28,7 @@ void require_valid(const PhaseRule& rule, int flutes) {
   require_in_range("PhaseStep", rule.step.degrees(), 0.0, 360.0, "degrees");
 }
 
-Angle contact_azimuth(const Dimples& dimples, std::size_t k, const PhaseRule& rule) {
+Angle contact_azimuth(const patch::Dimples& dimples, std::size_t k, const PhaseRule& rule) {
   if (rule.azimuths.empty()) return contact_azimuth(dimples[k].surface.normal);
   if (rule.azimuths.size() != dimples.size() || std::isnan(rule.azimuths[k].radians()))
     throw InputError("ToolAxis", fmt::format("no posture for dimple {}", k),
@@ -44,17 +44,17 @@ Angle spindle_advance(Angle from, Angle to, const PhaseRule& rule, const BallEnd
   return lambda + Angle::turns(rule.extra_turns) + rule.step;
 }
 
-std::vector<Angle> wanted_phases(const Dimples& dimples, const PhaseRule& rule,
+std::vector<Angle> wanted_phases(const patch::Dimples& dimples, const PhaseRule& rule,
                                  const Spindle& spindle) {
   std::vector<Angle> wanted(dimples.size(),
                             Angle::radians(std::numeric_limits<double>::quiet_NaN()));
   Angle shift;
   for (std::size_t k = 0; k < dimples.size(); ++k) {
-    if (dimples[k].state != DimpleState::Cut) continue;
+    if (dimples[k].state != patch::DimpleState::Cut) continue;
     wanted[k] = contact_azimuth(dimples, k, rule) + shift;
     shift += spindle.sign() * rule.step;
   }
   return wanted;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -14,7 +14,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 enum class FluteChoice : std::uint8_t {
   Any,  ///< M = 2 pi / N: fewest turns; runout shows as two kinds of dimples
@@ -38,7 +38,7 @@ void require_valid(const PhaseRule& rule, int flutes);
 
 /// Contact azimuth of dimple k, which is Cut. Errors: InputError naming ToolAxis if the rule's
 /// azimuths are of other dimples.
-Angle contact_azimuth(const Dimples& dimples, std::size_t k, const PhaseRule& rule);
+Angle contact_azimuth(const patch::Dimples& dimples, std::size_t k, const PhaseRule& rule);
 
 /// Lambda from contact azimuth `from` to `to`; >= 0. A difference that is a whole period but for
 /// rounding (1e-9 rad) counts as none.
@@ -48,7 +48,7 @@ Angle spindle_advance(Angle from, Angle to, const PhaseRule& rule, const BallEnd
 /// The spindle angle, modulo the phase period, that each dimple wants, indexed by dimple number:
 /// its contact azimuth plus s * step for each Cut dimple before it. NaN radians where a dimple is
 /// left out.
-std::vector<Angle> wanted_phases(const Dimples& dimples, const PhaseRule& rule,
+std::vector<Angle> wanted_phases(const patch::Dimples& dimples, const PhaseRule& rule,
                                  const Spindle& spindle);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

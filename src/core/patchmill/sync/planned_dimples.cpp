@@ -6,15 +6,15 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 
-std::vector<PlannedDimple> planned_dimples(const Dimples& dimples, double radius,
+std::vector<PlannedDimple> planned_dimples(const patch::Dimples& dimples, double radius,
                                            const PhaseRule& rule, const Decimals& decimals) {
   std::vector<PlannedDimple> planned;
   planned.reserve(dimples.size());
   for (std::size_t k = 0; k < dimples.size(); ++k) {
-    const Dimple& dimple = dimples[k];
-    if (dimple.state != DimpleState::Cut) continue;
+    const patch::Dimple& dimple = dimples[k];
+    if (dimple.state != patch::DimpleState::Cut) continue;
     const Vec3& n = dimple.surface.normal;
     const Vec3 centre = dimple.surface.position + (radius - dimple.depth) * n;
     const Vec3 tip = centre - radius * Vec3::UnitZ();
@@ -46,4 +46,4 @@ void require_below(double safe_height, const std::vector<PlannedDimple>& planned
                       p.tip.z(), p.number));
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 struct PlannedDimple {
   Vec3 tip;       ///< p + (R - depth) n - R e_z, on the decimals [mm]
@@ -20,7 +20,7 @@ struct PlannedDimple {
 
 /// The Cut dimples in their order; `radius` of the ball [mm]. Errors: InputError naming ToolAxis (see
 /// contact_azimuth).
-std::vector<PlannedDimple> planned_dimples(const Dimples& dimples, double radius,
+std::vector<PlannedDimple> planned_dimples(const patch::Dimples& dimples, double radius,
                                            const PhaseRule& rule, const Decimals& decimals);
 
 /// Errors: InputError naming SpindleSpeed or ToolDiameter unless both are greater than zero.
@@ -33,4 +33,4 @@ void require_heights(double safe_height, double clearance_height);
 /// Errors: InputError naming SafeHeight if that is less than `lift` over a dimple's tip [mm].
 void require_below(double safe_height, const std::vector<PlannedDimple>& planned, double lift);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 constexpr int kSweeps = 200;
@@ -33,11 +33,11 @@ Vec3 drawn_within(const Vec3& axis, const Vec3& middle, double most) {
 }
 
 // What runs through one patch: the numbers of its dimples to cut, in milling order.
-std::vector<std::vector<std::size_t>> runs(const Dimples& dimples) {
+std::vector<std::vector<std::size_t>> runs(const patch::Dimples& dimples) {
   std::vector<std::vector<std::size_t>> out;
   std::int32_t patch = -1;
   for (std::size_t k = 0; k < dimples.size(); ++k) {
-    if (dimples[k].state != DimpleState::Cut) continue;
+    if (dimples[k].state != patch::DimpleState::Cut) continue;
     if (out.empty() || dimples[k].patch != patch) out.emplace_back();
     patch = dimples[k].patch;
     out.back().push_back(k);
@@ -47,7 +47,7 @@ std::vector<std::vector<std::size_t>> runs(const Dimples& dimples) {
 
 class Axes {
  public:
-  Axes(const Dimples& dimples, const ToolAxisRule& rule)
+  Axes(const patch::Dimples& dimples, const ToolAxisRule& rule)
       : dimples_(dimples),
         rule_(rule),
         axis_(unit_along("FixedAxis", rule.axis)),
@@ -105,13 +105,13 @@ class Axes {
     }
   }
 
-  const Dimples& dimples_;
+  const patch::Dimples& dimples_;
   const ToolAxisRule& rule_;
   Vec3 axis_;
   std::vector<Vec3> axes_;
 };
 
-void require_valid(const Dimples& dimples, const ToolAxisRule& rule) {
+void require_valid(const patch::Dimples& dimples, const ToolAxisRule& rule) {
   require_in_range("Lead", rule.lead.degrees(), -80.0, 80.0, "degrees");
   require_in_range("Tilt", rule.tilt.degrees(), -80.0, 80.0, "degrees");
   require_in_range("MinimumLead", rule.least_lead.degrees(), 0.0, 80.0, "degrees");
@@ -124,7 +124,7 @@ void require_valid(const Dimples& dimples, const ToolAxisRule& rule) {
     throw InputError("PostureField", fmt::format("{} axes", rule.field.size()),
                      fmt::format("give one for each of the {} dimples.", dimples.size()));
   for (std::size_t k = 0; k < dimples.size(); ++k)
-    if (dimples[k].state == DimpleState::Cut &&
+    if (dimples[k].state == patch::DimpleState::Cut &&
         !(rule.field[k].norm() > 1e-9 && rule.field[k].norm() < 1e9))
       throw InputError(
           "PostureField", fmt::format("no direction at dimple {}", k),
@@ -133,18 +133,18 @@ void require_valid(const Dimples& dimples, const ToolAxisRule& rule) {
 
 }  // namespace
 
-std::vector<Vec3> tool_axes(const Dimples& dimples, const ToolAxisRule& rule) {
+std::vector<Vec3> tool_axes(const patch::Dimples& dimples, const ToolAxisRule& rule) {
   require_valid(dimples, rule);
   return Axes(dimples, rule).make();
 }
 
-void require_axes(const Dimples& dimples, const std::vector<Vec3>& axes) {
+void require_axes(const patch::Dimples& dimples, const std::vector<Vec3>& axes) {
   require_one_each("ToolAxis", axes.size(), dimples.size(), "dimples");
   for (std::size_t k = 0; k < dimples.size(); ++k)
-    if (dimples[k].state == DimpleState::Cut) unit_along("ToolAxis", axes[k]);
+    if (dimples[k].state == patch::DimpleState::Cut) unit_along("ToolAxis", axes[k]);
 }
 
-std::vector<Vec3> axes_by_row(const Dimples& dimples, const std::vector<Vec3>& axes,
+std::vector<Vec3> axes_by_row(const patch::Dimples& dimples, const std::vector<Vec3>& axes,
                               Angle tolerance) {
   require_axes(dimples, axes);
   require_in_range("RowTolerance", tolerance.degrees(), 0.0, 45.0, "degrees");
@@ -196,14 +196,14 @@ std::vector<Vec3> axes_by_row(const Dimples& dimples, const std::vector<Vec3>& a
   return out;
 }
 
-void mark_tool_tip(Dimples& dimples, const std::vector<Vec3>& axes, Angle least_tilt) {
+void mark_tool_tip(patch::Dimples& dimples, const std::vector<Vec3>& axes, Angle least_tilt) {
   require_axes(dimples, axes);
   require_in_range("MinimumTilt", least_tilt.degrees(), 1e-6, 89.0, "degrees");
   for (std::size_t k = 0; k < dimples.size(); ++k) {
-    if (dimples[k].state != DimpleState::Cut) continue;
+    if (dimples[k].state != patch::DimpleState::Cut) continue;
     const Angle t = tilt(dimples[k].surface.normal, axes[k]);
-    if (t < least_tilt || t.degrees() >= 90.0) dimples[k].state = DimpleState::ToolTip;
+    if (t < least_tilt || t.degrees() >= 90.0) dimples[k].state = patch::DimpleState::ToolTip;
   }
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -15,7 +15,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 enum class ToolAxisMode : std::uint8_t { Fixed, Normal, MinimumLead, Field };
 
@@ -36,21 +36,21 @@ struct ToolAxisRule {
 /// along each patch, in milling order. Errors: InputError naming ToolAxisMode, Lead, Tilt, MinimumLead,
 /// AxisSmoothing, WidestTilt, FixedAxis (zero, not finite), LeanTowards (not finite) or PostureField (a wrong
 /// number of axes, one that is zero or not finite).
-std::vector<Vec3> tool_axes(const Dimples& dimples, const ToolAxisRule& rule);
+std::vector<Vec3> tool_axes(const patch::Dimples& dimples, const ToolAxisRule& rule);
 
 /// Axes that stay the same along each straight row of a patch, as spindle-locked paths need them: from the
 /// mean of the row's as far towards the axis of the row before as none of its dimples is off by more than
 /// half of `tolerance`, or than it is from the mean. So the machine turns less between rows, or not at all. A
 /// row is cut in two where one of its axes would be further than `tolerance` from the mean. Errors: InputError
 /// naming RowTolerance if it is not in 0 .. 45 degrees, or ToolAxis as require_axes.
-std::vector<Vec3> axes_by_row(const Dimples& dimples, const std::vector<Vec3>& axes,
+std::vector<Vec3> axes_by_row(const patch::Dimples& dimples, const std::vector<Vec3>& axes,
                               Angle tolerance);
 
 /// `axes`: one for each dimple, read where it is to be cut. Errors: InputError naming ToolAxis if their number is
 /// another, or one that is read is zero or not finite.
-void require_axes(const Dimples& dimples, const std::vector<Vec3>& axes);
+void require_axes(const patch::Dimples& dimples, const std::vector<Vec3>& axes);
 
 /// As mark_tool_tip of contact_azimuth.h with an axis for each dimple. Errors: also as require_axes.
-void mark_tool_tip(Dimples& dimples, const std::vector<Vec3>& axes, Angle least_tilt);
+void mark_tool_tip(patch::Dimples& dimples, const std::vector<Vec3>& axes, Angle least_tilt);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 constexpr double kHeadroom = 1.5;       // roundings are passed at up to this multiple of the speed
@@ -51,18 +51,20 @@ Vec3 lifted_end(const RowEnd& from, const TurnaroundShape& shape) {
   return surface_after(from, shape.flat + shape.out) + shape.out * shape.slope * from.normal;
 }
 
-double leg_time(const Vec3& a, const Vec3& b, const MotionModel& model) {
+double leg_time(const Vec3& a, const Vec3& b, const machine::MotionModel& model) {
   const Vec3 way = b - a;
   const double length = way.norm();
   if (length <= 0.0) return 0.0;
   const Vec3 along = way / length;
-  return stop_to_stop_time(length, velocity_along(model, along), acceleration_along(model, along)) +
+  return machine::stop_to_stop_time(length, machine::velocity_along(model, along),
+                                    machine::acceleration_along(model, along)) +
          kDeadPeriods * model.period;
 }
 
 }  // namespace
 
-TurnaroundShape turnaround_shape(double step, double lift, double speed, const MotionModel& model) {
+TurnaroundShape turnaround_shape(double step, double lift, double speed,
+                                 const machine::MotionModel& model) {
   const double a = model.acceleration, v = kHeadroom * speed;
   const double unswallowed = kSwallowPeriods * model.period * v;
   TurnaroundShape shape;
@@ -84,7 +86,7 @@ TurnaroundShape turnaround_shape(double step, double lift, double speed, const M
   }
   shape.clearance = std::max(0.0, highest);
   const double angle = std::atan(shape.slope);
-  shape.tolerance = tolerance_for_speed(angle, v, a);
+  shape.tolerance = machine::tolerance_for_speed(angle, v, a);
   const double braking = speed * speed / (2.0 * a);
   shape.out = std::max(lift / shape.slope, 1.4 * braking + 0.1 * step);
   shape.run_in = std::max({0.3 * step, 3.0 * braking, best_trim + unswallowed});
@@ -102,7 +104,7 @@ double recoverable(const TurnaroundShape& shape, double speed, double accelerati
 
 Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
                       const TurnaroundShape& shape, double safe_height, const Spindle& spindle,
-                      const MotionModel& model, double turning) {
+                      const machine::MotionModel& model, double turning) {
   const double slant = std::hypot(1.0, shape.slope), rate = spindle.speed;
   const Vec3 edge = surface_after(from, shape.flat), top = lifted_end(from, shape);
   const RunIn in = run_in(to, shape.run_in, shape);
@@ -175,4 +177,4 @@ std::vector<Move> lead_out(const RowEnd& from, const TurnaroundShape& shape) {
           moved(top, shape.out * std::hypot(1.0, shape.slope) / from.pitch, 0.0)};
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -13,7 +13,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 /// Lengths of a turn-around for one speed on one machine [mm], unless noted.
 struct TurnaroundShape {
@@ -30,7 +30,8 @@ struct TurnaroundShape {
 /// high as can be when the next tooth comes by, their roundings end before the dimple, the run-in
 /// is three times the way to reach the speed, and no stretch is so short that the controller
 /// swallows it in a rounding. `step`, `lift`, `speed` > 0.
-TurnaroundShape turnaround_shape(double step, double lift, double speed, const MotionModel& model);
+TurnaroundShape turnaround_shape(double step, double lift, double speed,
+                                 const machine::MotionModel& model);
 
 /// By how much a turn-around may come late and still be on time at the next dimple: what the lock
 /// catches up on the way in at `speed` [s]. The share of the way that it may use is from
@@ -59,7 +60,7 @@ struct Turnaround {
 /// takes as long at least, and they turn on that one (turning_leg).
 Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
                       const TurnaroundShape& shape, double safe_height, const Spindle& spindle,
-                      const MotionModel& model, double turning = 0.0);
+                      const machine::MotionModel& model, double turning = 0.0);
 
 /// Of the moves [first, last) of a path the one on which rotary axes turn while the spindle is locked:
 /// the longest in turns of those that begin and end with a stop; `last` if there is none.
@@ -72,4 +73,4 @@ std::vector<Move> lead_out(const RowEnd& from, const TurnaroundShape& shape);
 /// Where lead_in begins.
 Vec3 lead_in_start(const RowEnd& to, double seed, const TurnaroundShape& shape);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::sync {
 namespace {
 
 constexpr double kSlowest = 0.01, kCoarse = 0.8;
@@ -33,9 +33,9 @@ void remove_offset(std::vector<PhaseError>& errors, Angle period) {
 
 }  // namespace
 
-PredictedPhase predicted_phase(const ToolPath& path, const MotionModel& model,
+PredictedPhase predicted_phase(const ToolPath& path, const machine::MotionModel& model,
                                const std::vector<Angle>& wanted, Angle period, double speed_ratio) {
-  const Prediction prediction = predict(path, model, speed_ratio);
+  const machine::Prediction prediction = machine::predict(path, model, speed_ratio);
   PredictedPhase result;
   result.reason = prediction.reason;
   if (!prediction.known) return result;
@@ -77,7 +77,7 @@ struct Attempt {
 struct Trial {
   const std::function<ToolPath(const Spindle&)>& plan;
   const Spindle& spindle;
-  const MotionModel& model;
+  const machine::MotionModel& model;
   const std::vector<Angle>& wanted;
   Angle period;
   const PhaseLimits& limits;
@@ -127,7 +127,7 @@ std::string off_by(const Attempt& attempt) {
 }  // namespace
 
 Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle& spindle,
-              const MotionModel& model, const std::vector<Angle>& wanted, Angle period,
+              const machine::MotionModel& model, const std::vector<Angle>& wanted, Angle period,
               const PhaseLimits& limits, double slack) {
   const Trial trial{plan, spindle, model, wanted, period, limits, slack};
   const Attempt planned = trial.at(spindle.speed);
@@ -158,4 +158,4 @@ Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle
   return verdict;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

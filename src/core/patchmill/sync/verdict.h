@@ -9,7 +9,7 @@
 
 #include <functional>
 
-namespace patchmill {
+namespace patchmill::sync {
 
 struct PredictedPhase {
   bool known = false;
@@ -23,7 +23,7 @@ struct PredictedPhase {
 /// `period`. The start phase is one unknown constant for the whole path (Xu & Sasahara 2016,
 /// section 3.3): its best value is taken away. Errors: as predict; InputError naming Dimple as
 /// phase_errors.
-PredictedPhase predicted_phase(const ToolPath& path, const MotionModel& model,
+PredictedPhase predicted_phase(const ToolPath& path, const machine::MotionModel& model,
                                const std::vector<Angle>& wanted, Angle period,
                                double speed_ratio = 1.0);
 
@@ -50,7 +50,7 @@ struct Verdict {
 /// that speed (and is the sentence if it does so at all of them). Speeds down to a hundredth are
 /// tried. `slack`: the spindle's true speed may be off by this share either way.
 Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle& spindle,
-              const MotionModel& model, const std::vector<Angle>& wanted, Angle period,
+              const machine::MotionModel& model, const std::vector<Angle>& wanted, Angle period,
               const PhaseLimits& limits = {}, double slack = 0.0);
 
-}  // namespace patchmill
+}  // namespace patchmill::sync

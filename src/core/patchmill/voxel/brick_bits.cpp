@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
@@ -63,4 +63,4 @@ void write_kinds(const BrickBits& bits, VoxelKind* kinds) {
                                  (surface[row] >> x & 1) * kind(VoxelKind::Surface));
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 using Bits = std::array<std::uint64_t, kBrickSide>;
 
@@ -30,4 +30,4 @@ bool all_of_kind(const BrickBits& bits, VoxelKind kind);
 /// One kind per voxel, in the order of a brick.
 void write_kinds(const BrickBits& bits, VoxelKind* kinds);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <iterator>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 /// Rows are 16 values apart and begin at 8: the cell at x = -1 is at 7, the one at x = 8 at 16,
 /// which is the unused first value of the next row.
@@ -75,4 +75,4 @@ inline void load_halo(const T* data, const BrickTable& table, std::size_t brick,
   detail::load_sides(data, table.neighbours[brick], halo);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

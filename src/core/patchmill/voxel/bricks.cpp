@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/voxel/bricks.h"
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 BrickTable make_brick_table(const Cell& cells, const std::vector<std::uint8_t>& wanted) {
   BrickTable table;
@@ -32,4 +32,4 @@ std::size_t table_bytes(const Cell& bricks, std::size_t stored) {
   return box * sizeof(std::int32_t) + stored * (sizeof(Cell) + 6 * sizeof(std::int32_t));
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 using Cell = Eigen::Vector3i;
 
@@ -71,4 +71,4 @@ inline Cell brick_box(const Cell& cells) {
 /// Bytes that a table takes for a box of so many bricks, of which `stored` are stored.
 std::size_t table_bytes(const Cell& bricks, std::size_t stored);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

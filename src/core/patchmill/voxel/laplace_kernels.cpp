@@ -4,7 +4,7 @@
 
 #include "patchmill/voxel/brick_halo.h"
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 using Halo = BrickHalo<float>;
@@ -82,4 +82,4 @@ double brick_true_residual(const double* halo, const float* diagonal, float* r) 
   return sum_lanes(lane);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

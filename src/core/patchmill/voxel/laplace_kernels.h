@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 /// p . A p; `halo` holds p.
 double brick_energy(const float* halo, const float* diagonal);
@@ -21,4 +21,4 @@ void brick_direction(const float* z, float beta, float* p);
 /// r = sum of the neighbours - diagonal x, in double; returns r . r. `halo` holds x.
 double brick_true_residual(const double* halo, const float* diagonal, float* r);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

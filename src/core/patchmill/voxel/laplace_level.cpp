@@ -7,7 +7,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 constexpr int kInnerSweeps = 2;      // red-black sweeps in a brick at each visit
@@ -185,4 +185,4 @@ std::size_t laplace_bytes(std::size_t bricks, int fields) {
   return diagonals + bytes_of_fields(bricks, fields_at_once(bricks, fields));
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -21,7 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 /// What a cell is to the solver.
 enum class CellRole : std::uint8_t {
@@ -83,4 +83,4 @@ int fields_at_once(std::size_t bricks, int fields);
 /// Bytes that a solve of `fields` fields takes, for `bricks` stored bricks, besides the solution.
 std::size_t laplace_bytes(std::size_t bricks, int fields);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -5,7 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 void allocate(LaplaceLevel& level, int fields) {
@@ -133,4 +133,4 @@ void append_coarser_levels(std::vector<LaplaceLevel>& levels, const std::vector<
   for (std::size_t l = 1; l < levels.size(); ++l) levels[l].table = &levels[l].own_table;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -14,7 +14,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 using Values = std::vector<double>;
@@ -224,4 +224,4 @@ std::vector<double> laplace_residual(const BrickTable& table, const std::vector<
   return squares;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

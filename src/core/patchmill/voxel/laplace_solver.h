@@ -16,7 +16,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 struct LaplaceOptions {
   double tolerance = 1e-8;  ///< of the residual's 2-norm, relative to the first; [1e-13, 1)
@@ -44,4 +44,4 @@ LaplaceOutcome solve_laplace(const BrickTable& table, std::vector<CellRole> role
 std::vector<double> laplace_residual(const BrickTable& table, const std::vector<CellRole>& role,
                                      const std::vector<std::vector<double>>& fields);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

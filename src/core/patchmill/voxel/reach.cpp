@@ -7,7 +7,7 @@
 
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 // One bit per cell: a 64-bit word is a layer z, its byte y a row, its bit x a cell.
@@ -103,4 +103,4 @@ std::int64_t exclude_unreached(const BrickTable& table, std::vector<CellRole>& r
   return excluded;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 /// Number of unknown cells that no path of unknown cells joins to a held cell. Their roles are
 /// changed to Outside. Bits of a brick are flooded together, so the cost is a fraction of one
 /// solver sweep.
 std::int64_t exclude_unreached(const BrickTable& table, std::vector<CellRole>& role);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 #if defined(__GNUC__)
 typedef float Row __attribute__((vector_size(32)));
@@ -49,4 +49,4 @@ inline void assign_where(const RowMask& mask, const Row& a, Row& row) {
 #endif
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 constexpr double kTouch = 1e-9;  // [cells]
@@ -27,7 +27,7 @@ Range touched_cells(double lo, double hi, int count) {
           static_cast<int>(std::min(static_cast<double>(count) - 1.0, last))};
 }
 
-Range touched_cells(const Triangle& t, int axis, int count) {
+Range touched_cells(const mesh::Triangle& t, int axis, int count) {
   return touched_cells(std::min({t.a[axis], t.b[axis], t.c[axis]}),
                        std::max({t.a[axis], t.b[axis], t.c[axis]}), count);
 }
@@ -64,7 +64,7 @@ Polygon slab(const Polygon& in, int axis, int cell) {
 }
 
 // The rows of the column that begins at (first_y, first_z) which a triangle touches, and where.
-void touch(const Triangle& t, int first_y, int first_z, const Cell& bricks, RowBits& bits) {
+void touch(const mesh::Triangle& t, int first_y, int first_z, const Cell& bricks, RowBits& bits) {
   const Range y = touched_cells(t, 1, 8 * bricks.y()), z = touched_cells(t, 2, 8 * bricks.z());
   Polygon whole;
   whole.corner[0] = t.a;
@@ -107,7 +107,7 @@ void toggles_to_states(RowBits& bits, int bricks) {
 
 }  // namespace
 
-ColumnTriangles sort_into_columns(const TriangleMesh& mesh, const GridFrame& frame) {
+ColumnTriangles sort_into_columns(const mesh::TriangleMesh& mesh, const GridFrame& frame) {
   ColumnTriangles out;
   const Cell bricks = brick_box(frame.cells);
   out.triangles.reserve(mesh.triangles.size());
@@ -137,12 +137,12 @@ void inside_bits(const ColumnTriangles& mesh, const Cell& bricks, int column, Ro
   bits.assign(std::size_t{64} * bricks.x(), 0);
   const int first_y = 8 * (column % bricks.y()), first_z = 8 * (column / bricks.y());
   for (std::int64_t n = mesh.first[column]; n < mesh.first[column + 1]; ++n) {
-    const Triangle& t = mesh.triangles[mesh.list[n]];
+    const mesh::Triangle& t = mesh.triangles[mesh.list[n]];
     const Range y = touched_cells(t, 1, first_y + 8), z = touched_cells(t, 2, first_z + 8);
     for (int k = std::max(z.lo, first_z); k <= z.hi; ++k)
       for (int j = std::max(y.lo, first_y); j <= y.hi; ++j) {
         double x = 0.0;
-        if (!line_crosses(t, j + 0.5, k + 0.5, x)) continue;
+        if (!mesh::line_crosses(t, j + 0.5, k + 0.5, x)) continue;
         const int i = static_cast<int>(std::max(0.0, std::ceil(x - 0.5)));
         if (i < 8 * bricks.x())
           bits[64 * (i >> 3) + 8 * (k - first_z) + (j - first_y)] ^=
@@ -159,4 +159,4 @@ void touched_bits(const ColumnTriangles& mesh, const Cell& bricks, int column, R
     touch(mesh.triangles[mesh.list[n]], first_y, first_z, bricks, bits);
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

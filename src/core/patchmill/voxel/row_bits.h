@@ -10,15 +10,15 @@
 #include <cstdint>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 /// Triangles of a mesh in units of cells, and for each column of bricks those that it may meet.
 struct ColumnTriangles {
-  std::vector<Triangle> triangles;  ///< cell units
+  std::vector<mesh::Triangle> triangles;  ///< cell units
   std::vector<std::int64_t> first;  ///< per column (y fastest), into `list`; one more at the end
   std::vector<std::int32_t> list;
 };
-ColumnTriangles sort_into_columns(const TriangleMesh& mesh, const GridFrame& frame);
+ColumnTriangles sort_into_columns(const mesh::TriangleMesh& mesh, const GridFrame& frame);
 
 /// byte[64 * brick + 8 * z + y], brick = 0 .. bricks along x.
 using RowBits = std::vector<std::uint8_t>;
@@ -29,4 +29,4 @@ void inside_bits(const ColumnTriangles& mesh, const Cell& bricks, int column, Ro
 /// Bit set where the voxel is touched by a triangle, to 1e-9 of its side.
 void touched_bits(const ColumnTriangles& mesh, const Cell& bricks, int column, RowBits& bits);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

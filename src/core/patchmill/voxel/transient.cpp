@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 constexpr double kMostSteps = 1e6;  // each goes over all voxels
@@ -87,4 +87,4 @@ int diffuse_transient(const BrickTable& table, const std::vector<CellRole>& role
   return steps;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 /// Along which axes a field diffuses.
 enum class DiffusionAxes { X, Y, Z, All };
@@ -39,4 +39,4 @@ int diffuse_transient(const BrickTable& table, const std::vector<CellRole>& role
 void explicit_step(const BrickTable& table, const std::vector<CellRole>& role, DiffusionAxes axes,
                    double r, const std::vector<double>& from, std::vector<double>& to);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 VoxelKind VoxelGrid::at(const Cell& cell) const {
   if ((cell.array() < 0).any() || (cell.array() >= frame.cells.array()).any())
@@ -70,4 +70,4 @@ void require_memory(const MemoryEstimate& need, double limit, const GridFrame& f
                   1.05 * frame.pitch * std::cbrt(need.total() / limit)));
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

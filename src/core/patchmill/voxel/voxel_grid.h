@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 enum class VoxelKind : std::uint8_t {
   Air,       ///< centre outside the stock
@@ -72,4 +72,4 @@ MemoryEstimate memory_of(const BrickTable& table, int posture_fields = 2, bool m
 /// `limit`.
 void require_memory(const MemoryEstimate& need, double limit, const GridFrame& frame);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace patchmill {
+namespace patchmill::voxel {
 namespace {
 
 // The bricks of one column along x that are worth storing; bits of those that are not removal volume alone.
@@ -142,7 +142,7 @@ void require_something_to_remove(const VoxelGrid& grid) {
                    "give a stock larger than the part, or smaller voxels.");
 }
 
-void require_part_in_stock(const Box& stock, const Box& part, double pitch) {
+void require_part_in_stock(const mesh::Box& stock, const mesh::Box& part, double pitch) {
   const Vec3 over = (stock.lo - part.lo).cwiseMax(part.hi - stock.hi);
   if (over.maxCoeff() <= 0.5 * pitch) return;
   throw InputError("part", fmt::format("{:.3f} mm outside the stock", over.maxCoeff()),
@@ -151,7 +151,7 @@ void require_part_in_stock(const Box& stock, const Box& part, double pitch) {
 
 }  // namespace
 
-GridFrame frame_over(const Box& box, double pitch) {
+GridFrame frame_over(const mesh::Box& box, double pitch) {
   require_positive("voxel size", pitch, "mm");
   GridFrame frame{box.lo, pitch, Cell::Zero()};
   for (int axis = 0; axis < 3; ++axis) {
@@ -165,15 +165,15 @@ GridFrame frame_over(const Box& box, double pitch) {
   return frame;
 }
 
-VoxelGrid voxelise(const TriangleMesh& stock, const TriangleMesh& part,
+VoxelGrid voxelise(const mesh::TriangleMesh& stock, const mesh::TriangleMesh& part,
                    const VoxelOptions& options) {
-  require_closed(stock, "stock");
-  require_closed(part, "part");
-  const GridFrame frame = frame_over(bounds(stock), options.pitch);
-  require_part_in_stock(bounds(stock), bounds(part), options.pitch);
-  require_memory(estimate_memory(frame, std::max(0.0, volume(stock) - volume(part)),
-                                 surface_area(stock) + surface_area(part), options.posture_fields,
-                                 options.materials),
+  mesh::require_closed(stock, "stock");
+  mesh::require_closed(part, "part");
+  const GridFrame frame = frame_over(mesh::bounds(stock), options.pitch);
+  require_part_in_stock(mesh::bounds(stock), mesh::bounds(part), options.pitch);
+  require_memory(estimate_memory(frame, std::max(0.0, mesh::volume(stock) - mesh::volume(part)),
+                                 mesh::surface_area(stock) + mesh::surface_area(part),
+                                 options.posture_fields, options.materials),
                  options.memory_limit, frame);
   const ColumnTriangles stock_sorted = sort_into_columns(stock, frame);
   const ColumnTriangles part_sorted = sort_into_columns(part, frame);
@@ -232,4 +232,4 @@ VoxelGrid voxelise(const Inside& in_stock, const Inside& in_part, const GridFram
   return grid;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

@@ -15,7 +15,7 @@
 
 #include <functional>
 
-namespace patchmill {
+namespace patchmill::voxel {
 
 struct VoxelOptions {
   double pitch = 0.0;                              ///< side of a voxel [mm], > 0
@@ -26,13 +26,13 @@ struct VoxelOptions {
 
 /// Cubes that cover the box, starting at its low corner.
 /// Errors: InputError if the pitch is not positive or an axis gets more than 32,768 voxels.
-GridFrame frame_over(const Box& box, double pitch);
+GridFrame frame_over(const mesh::Box& box, double pitch);
 
 /// Stock minus part. The grid begins at the low corner of the stock's box. Parallel; the same grid
 /// on any number of threads. Errors: InputError if a mesh is not closed, if the part reaches out of
 /// the stock's box by more than half a voxel, if the memory foreseen is over the limit, or if
 /// nothing is to be removed.
-VoxelGrid voxelise(const TriangleMesh& stock, const TriangleMesh& part,
+VoxelGrid voxelise(const mesh::TriangleMesh& stock, const mesh::TriangleMesh& part,
                    const VoxelOptions& options);
 
 /// True where the point is in the solid. Called from several threads at once.
@@ -45,4 +45,4 @@ using Inside = std::function<bool(const Vec3&)>;
 VoxelGrid voxelise(const Inside& in_stock, const Inside& in_part, const GridFrame& frame,
                    const VoxelOptions& options);
 
-}  // namespace patchmill
+}  // namespace patchmill::voxel

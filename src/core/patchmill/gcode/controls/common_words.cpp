@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/controls/common_words.h"
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 std::vector<CodeWord> shared_words(std::string_view move_letters) {
   using G = WordGroup;
@@ -50,4 +50,4 @@ std::vector<CodeWord> drilling_cycles() {
   return words;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

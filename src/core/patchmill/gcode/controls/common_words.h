@@ -4,7 +4,7 @@
 
 #include "patchmill/gcode/controls/control.h"
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 constexpr std::string_view kMoveLetters = "XYZABCF";
 constexpr std::string_view kArcLetters = "XYZIJKRF";
@@ -34,4 +34,4 @@ std::vector<CodeWord> work_offsets();
 /// G73, G81 to G83, G85, G89 with G98, G99, and G80.
 std::vector<CodeWord> drilling_cycles();
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 bool is_letter(char c) {
@@ -88,4 +88,4 @@ std::string filled(std::string text, std::string_view mark, std::string_view val
   return text;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

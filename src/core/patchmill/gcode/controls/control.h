@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 /// Modal groups: a block may have one word of each.
 enum class WordGroup : std::uint8_t {
@@ -141,4 +141,4 @@ std::string safe_comment(const CommentRules& rules, std::string_view text);
 /// `text` with `value` in the place of "{mark}".
 std::string filled(std::string text, std::string_view mark, std::string_view value);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

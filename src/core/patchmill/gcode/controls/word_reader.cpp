@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr std::string_view kModal =
@@ -137,4 +137,4 @@ std::vector<GcodeWord> read_words(const Control& control, std::string_view line,
   return in_common_tongue(control, line, number, gcode_words(line, number));
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -6,7 +6,7 @@
 
 #include "patchmill/gcode/controls/control.h"
 
-namespace patchmill {
+namespace patchmill::gcode {
 
 /// The block's words in the common tongue: a WordReader. Letters without a G or M word belong to the motion in
 /// force. Errors: InputError "G-code line n".
@@ -25,4 +25,4 @@ double whole_number_text(std::string_view text, std::string_view line, long numb
 /// A code's number in tenths: 43.4 -> 434. Errors: InputError "G-code line n" for anything finer or beyond 9999.
 int code_tenths(const GcodeWord& word, std::string_view line, long number);
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -3,13 +3,13 @@
 // whole milliseconds, further work offsets by G54.1 P1 to P300. A length without a decimal point is one of units
 // of the last decimal. Comments are of capitals; a % would end the file. Tried on no control.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/geometry/error.h"
 #include "patchmill/gcode/controls/common_words.h"
 #include "patchmill/gcode/controls/word_reader.h"
+#include "patchmill/geometry/error.h"
 
 #include <cmath>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 std::vector<CodeWord> fanuc_words() {
@@ -98,4 +98,4 @@ const Control& fanuc() {
   return control;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

@@ -6,7 +6,7 @@
 #include "patchmill/gcode/controls/common_words.h"
 #include "patchmill/gcode/controls/word_reader.h"
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 std::vector<CodeWord> grblhal_words() {
@@ -55,4 +55,4 @@ const Control& grblhal() {
   return control;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

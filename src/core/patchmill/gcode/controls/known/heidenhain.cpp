@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 using Words = std::vector<GcodeWord>;
@@ -244,4 +244,4 @@ const Control& heidenhain() {
   return control;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

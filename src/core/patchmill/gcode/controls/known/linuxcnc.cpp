@@ -6,7 +6,7 @@
 #include "patchmill/gcode/controls/common_words.h"
 #include "patchmill/gcode/controls/word_reader.h"
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 constexpr std::string_view kMoves = "XYZABCUVWF";
@@ -81,4 +81,4 @@ const Control& linuxcnc() {
   return control;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode

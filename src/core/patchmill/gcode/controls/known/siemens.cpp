@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace patchmill {
+namespace patchmill::gcode {
 namespace {
 
 std::vector<CodeWord> siemens_words() {
@@ -121,4 +121,4 @@ const Control& siemens() {
   return control;
 }
 
-}  // namespace patchmill
+}  // namespace patchmill::gcode
