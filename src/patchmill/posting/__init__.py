@@ -19,7 +19,7 @@ from patchmill.freecad import host, post_probe
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.base import planned
 from patchmill.operations.copy_input import UNDERCUTS
-from patchmill.posting import control_match
+from patchmill.posting import control_match, kept_words
 from patchmill.textures import strategies, tool_posture
 from patchmill.verify import checks, posted_milling
 
@@ -64,7 +64,8 @@ def post(job, filename, post_name=None, arguments=None):
         require_millimetres(tilted[0].Label, shlex.split(arguments))
     _check_post(post_name, plans, tilted)
     text = _single_text(job, post_name, arguments)
-    own = own_dialect(post_name)
+    if own is None:
+        kept_words.require(post_name, operations, text)
     dialect = own.dialect if own else "linuxcnc"
     posted = _read_back(text, textures, plans, dialect)
     for one in posted:

@@ -151,6 +151,13 @@ TEST(OtherOperations, DrillingCyclesGoWhereTheySay) {
   EXPECT_NE(posted(control_of("fanuc"), "G82 X5 Y5 Z-3 R2 P0.5 F1\n")
                 .find(" R2.000000 P500 F60.000000\n"),
             std::string::npos);
+  // a program may begin with a height and a cycle
+  for (const Control* control : controls()) {
+    const std::string program =
+        write_program({"M6 T1\nM3 S600\nG0 Z20\nG81 X5 Y5 Z-3 R2 F1\nG80\n"}, style_of(*control));
+    EXPECT_NEAR(run_of(*control, program).turns, 50.0, 1e-6) << control->name << "\n" << program;
+    EXPECT_THROW(write_program({"M6 T1\nG81 X5 Y5 Z-3 R2 F1\n"}, style_of(*control)), InputError);
+  }
   for (const char* bad :
        {"G81 X1 Y1 Z5 R2 F1", "G83 X1 Y1 Z-3 R2 F1", "G81 X1 Y1 R2 F1", "G81 X1 Y1 Z-3 R2 L3 F1",
         "G91\nG81 X1 Y1 Z-3 R2 F1", "G81 X1 Y1 Z-3 R2 Q1 F1"})

@@ -120,6 +120,7 @@ void Reader::arc(const GcodeBlock& block, const Vec3& end) {
 }
 
 void Reader::cycle(const GcodeBlock& block, const Vec3& from) {
+  for (int i = 0; i < 2; ++i) state_.known[i] = state_.known[i] || !std::isnan(block.axis[i]);
   if (!state_.known_position() || state_.relative || state_.plane != ArcPlane::XY)
     refuse_block(block,
                  "a cycle begins at a known place, in absolute coordinates, in the plane XY.");

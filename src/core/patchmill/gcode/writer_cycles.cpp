@@ -71,7 +71,7 @@ void Writer::arc_as_lines(const Arc& arc, double feed) {
 }
 
 void Writer::cycle(const PathBlock& block, int code) {
-  if (!(known_[0] && known_[1] && known_[2]))
+  if (!known_[2] || !(known_[0] || block.gives('X')) || !(known_[1] || block.gives('Y')))
     refuse_block(block, "a cycle begins nobody knows where.");
   if (relative_ || inverse_ || plane_ != ArcPlane::XY)
     refuse_block(block,

@@ -219,7 +219,10 @@ void Writer::state_word(const PathBlock& block, int tenths) {
     if (block.gives(letter) && word->takes.find(letter) != std::string_view::npos)
       text += fmt::format(" {}{}", letter, short_number(block.get(letter)));
   out_.line(text);
-  if (word->group == WordGroup::Offset) out_.forget();
+  if (word->group == WordGroup::Offset) {
+    out_.forget();
+    known_[0] = known_[1] = known_[2] = false;  // in the new coordinates
+  }
   out_.forget_word();
 }
 

@@ -1,0 +1,43 @@
+"""Whether a posted text has the words of an operation that posts like to lose: a G or M word beside another one
+(G0 G53), third linear axes, and what stands beside an M word (M62 P3).
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import re
+
+from _patchmill import InputError
+
+COMMENT = re.compile(r"\([^)]*\)|;.*")
+WORD = re.compile(r"([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))")
+TOOL = ("M3", "M03", "M4", "M04", "M6", "M06")  # S and T, which are compared with the tool controller's
+
+
+def require(post_name, objects, text):
+    """Raises InputError naming PostProcessor if the text lacks such a word of one of a job's `objects`."""
+    wanted = {word: obj for obj in objects for word in _rare(obj.Path.Commands)}
+    if not wanted:
+        return
+    found = {
+        (letter, round(float(number), 3))
+        for line in text.splitlines()
+        for letter, number in WORD.findall(COMMENT.sub("", line))
+    }
+    for (letter, value), obj in wanted.items():
+        if (letter, value) not in found:
+            remedy = "it does not keep %s%g of %s: use one of PatchMill's own posts."
+            raise InputError("PostProcessor", post_name, remedy % (letter, value, obj.Label))
+
+
+def _rare(commands):
+    """The words of a path that are looked for: (letter, value)."""
+    for command in commands:
+        name = command.Name
+        if name[:1] not in ("G", "M", "N") or name in TOOL:
+            continue
+        for letter, value in command.Parameters.items():
+            beside = letter in "GM" or (letter in "UVW" and name != "N")
+            if beside or (name[0] == "M" and letter in "PQREL"):
+                yield letter, round(value, 3)
+        if name == "G53" or name.startswith("G54.1"):
+            yield name[0], float(name[1:])
