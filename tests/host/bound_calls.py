@@ -69,6 +69,11 @@ call("read_gcode", text=t.PROGRAM, tool=t.tool, dialect="linuxcnc", rotary=True)
 call("match_plan", read=t.path, plan=t.path, tolerance=0.01)
 call("write_program", texts=["G1 X1 Y0 Z0 F10\n"], dialect="linuxcnc", precision=3, header=["x"])
 call("posted_feed", feed=20.0, decimals=3)
+call("program_lines", text=t.PROGRAM, dialect="linuxcnc")
+call("safe_comment", dialect="linuxcnc", text="a label")
+call("feeds_of", text="G1 X1 F2")
+call("with_feeds", text="G1 X1 F2\n", feeds=[2.0])
+call("with_decimal_points", call=dict)
 
 # texture planes, patches, dimples
 call("texture_plane", origin=(0.0, 0.0, 10.0), direction=(0.0, 0.0, -1.0), x_hint=(1.0, 0.0, 0.0),

@@ -150,7 +150,7 @@ py::dict control_dict(const gcode::Control& control) {
 }
 
 // A call during which this thread's numbers have decimal points, whatever locale the process has.
-py::object with_decimal_points(const py::function& call, const py::args& args) {
+py::object with_decimal_points(const py::function& call) {
   struct Plain {
     locale_t own = newlocale(LC_NUMERIC_MASK, "C", duplocale(LC_GLOBAL_LOCALE));
     locale_t before = uselocale(own);
@@ -159,7 +159,7 @@ py::object with_decimal_points(const py::function& call, const py::args& args) {
       freelocale(own);
     }
   } const plain;
-  return call(*args);
+  return call();
 }
 
 void bind_writer(py::module_& m) {
@@ -195,7 +195,7 @@ void bind_writer(py::module_& m) {
         "FreeCAD's six "
         "decimals.");
   m.def("with_decimal_points", &with_decimal_points, py::arg("call"),
-        "call(*args) with decimal points in this thread, whatever locale the process has.");
+        "call() with decimal points in this thread, whatever locale the process has.");
   m.def(
       "safe_comment",
       [](const std::string& dialect, const std::string& text) {

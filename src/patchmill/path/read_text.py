@@ -11,7 +11,7 @@ from patchmill.freecad import host
 
 def path_of(text):
     """Path.Path of `text`, whose numbers have decimal points in every locale."""
-    return core.with_decimal_points(host.Path.Path, text)
+    return core.with_decimal_points(lambda: host.Path.Path(text))
 
 
 def text_of(path):

@@ -1,4 +1,4 @@
-"""Whether a posted text has the words of an operation that posts like to lose: a G or M word beside another one
+"""Whether a posted text has the words of an operation that posts like to lose: a G or M word beside another
 (G0 G53), third linear axes, and what stands beside an M word (M62 P3).
 
 SPDX-License-Identifier: LGPL-2.1-or-later

@@ -228,6 +228,27 @@ TEST(OtherOperations, AnUprightOneFindsTheTableAtZero) {
               "\nG49\nG90 G53 G0 Z0.000\nG0 A0.000 C0.000\nG0 X3.000 Y3.000\nG0 G43 Z30.000 H1\n"),
       std::string::npos)  // G49 has ended the length
       << write_program({kBegin, tilted, upright}, style);
+  // before the operation's name, once, also with a tool of its own
+  style.comments = true;
+  const std::string text =
+      write_program({kBegin, tilted, "(TC)\nM6 T2\nM3 S500\n", "(Upright)\n" + upright}, style);
+  EXPECT_NE(
+      text.find(
+          "\nG49\n(TC)\nG90 G53 G0 Z0.000\nM5\nT2 M6\nS500 M3\nG0 A0.000 C0.000\n(UPRIGHT)\n"),
+      std::string::npos)
+      << text;
+  // the lead of the first locked move after an approach is along its own way
+  style.control = &linuxcnc();
+  const auto turned = [&](bool retracts) {
+    ProgramStyle other = style;
+    if (!retracts) other.retract.clear();
+    const std::string locked = "G43.4 H1\nG0 X0 Y0 Z1 A5\nG93\nG1 X0 Y0 Z0 A5 F0.5\nG94\n";
+    other.control = &control_of("heidenhain");
+    const std::string made = write_program({kBegin + locked}, other);
+    return made.substr(made.find("M128")).find("Z+0.000 A+5.000 F30.000") != std::string::npos;
+  };
+  EXPECT_TRUE(turned(true));
+  EXPECT_TRUE(turned(false));
 }
 
 TEST(OtherOperations, TheMachinesOwnWordsForTcp) {

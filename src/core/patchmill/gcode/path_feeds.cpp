@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/path_feeds.h"
 
+#include "core/geometry/error.h"
+
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -44,6 +46,7 @@ std::vector<double> feeds_of(std::string_view text) {
 }
 
 std::string with_feeds(const std::string& text, const std::vector<double>& feeds) {
+  for (const double feed : feeds) require_in_range("feeds", feed, 0.0, 1e9, "mm/s");
   std::string out;
   out.reserve(text.size() + 8 * feeds.size());
   std::size_t n = 0, from = 0;

@@ -13,7 +13,7 @@ namespace patchmill::gcode {
 std::vector<double> feeds_of(std::string_view text);
 
 /// `text` with the values of its F words replaced by `feeds`, with twelve decimals; `text` as it is unless there are as
-/// many, each the same to half a unit of the text's sixth decimal.
+/// many, each the same to half a unit of the text's sixth decimal. Errors: InputError naming feeds (0 .. 1e9).
 std::string with_feeds(const std::string& text, const std::vector<double>& feeds);
 
 }  // namespace patchmill::gcode

@@ -38,6 +38,20 @@ bool changes_tool(const std::vector<std::string>& texts) {
   return false;
 }
 
+// Whether an operation moves, and its first move says nothing of rotary axes.
+bool moves_upright(const std::string& text) {
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string_view line = std::string_view(text).substr(from, end - from);
+    from = end + 1;
+    if (line.empty() || line[0] != 'G') continue;
+    const bool places = line.find_first_of("XYZ") != std::string_view::npos;
+    const bool turns = line.find_first_of("ABC") != std::string_view::npos;
+    if (places || turns) return !turns;
+  }
+  return false;
+}
+
 // The path mode that the program begins with.
 std::string first_path_mode(const ProgramStyle& style) {
   std::string mode = style.control->texts.path_mode;
@@ -84,7 +98,7 @@ std::string Writer::write(const std::vector<std::string>& texts) {
   out_.lines(style_.preamble.empty() ? control_.texts.preamble : style_.preamble);
   long number = 0;
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    begin_operation(style_.own.empty() || style_.own.at(i));
+    begin_operation(texts[i], style_.own.empty() || style_.own.at(i));
     std::string_view rest = texts[i];
     while (!rest.empty()) {
       const std::size_t end = rest.find('\n');
@@ -97,7 +111,7 @@ std::string Writer::write(const std::vector<std::string>& texts) {
 }
 
 /// What the operation before has left is undone: it must not be of any moment for the next one.
-void Writer::begin_operation(bool own) {
+void Writer::begin_operation(const std::string& text, bool own) {
   if (!was_own_) wanted_mode_ = path_mode_;  // what others set stays
   was_own_ = own;
   other_operation_ = true;
@@ -105,6 +119,7 @@ void Writer::begin_operation(bool own) {
   if (relative_) distance(false);
   if (inverse_) feed_mode(false);
   tcp(false);
+  if (moves_upright(text)) upright({});
 }
 
 void Writer::one_line(std::string_view text, long number) {
@@ -167,7 +182,7 @@ void Writer::finish() {
   const bool tilted =
       (known_[3] && at_[3] != 0.0) || (known_[4] && at_[4] != 0.0) || (known_[5] && at_[5] != 0.0);
   if (tilted && !style_.retract.empty())
-    straighten({});
+    upright({});
   else if (called_)
     retract();
   const FixedTexts& texts = control_.texts;

@@ -15,7 +15,7 @@ class Writer {
 
  private:
   // program_writer.cpp
-  void begin_operation(bool own);
+  void begin_operation(const std::string& text, bool own);
   void one_line(std::string_view text, long number);
   void one_block(PathBlock& block);
   void one_code(const PathBlock& block, const BlockCode& code);
@@ -50,7 +50,8 @@ class Writer {
   void cycle(const PathBlock& block, int code);
   void cycle_as_moves(const DrillingCycle& cycle, double x, double y);
   void reference(const PathBlock& block, int tenths);
-  void straighten(const PathBlock& block);
+  void first_move(const PathBlock& block);
+  void upright(const PathBlock& block);
   void retract();
   Vec3 place_of(const PathBlock& block) const;
   void stand_at(const Vec3& point);
@@ -73,6 +74,7 @@ class Writer {
   std::string wanted_mode_;       ///< that an operation finds; "": that of the preamble
   bool mode_said_ = false;        ///< the operation has said its own
   bool was_own_ = false;
+  bool retracted_ = false;         ///< and nothing has moved since
   bool other_operation_ = false;   ///< its first move has not come yet
   std::optional<MoveBlock> held_;  ///< rapid of a new tool to a height, from nobody knows where
 };

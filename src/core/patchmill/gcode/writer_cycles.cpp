@@ -31,7 +31,7 @@ void Writer::arc(const PathBlock& block, bool clockwise) {
   if (!(known_[0] && known_[1] && known_[2]))
     refuse_block(block, "an arc begins nobody knows where.");
   if (relative_) refuse_block(block, "arcs in relative coordinates are not posted.");
-  if (other_operation_) straighten(block);
+  if (other_operation_) first_move(block);
   const Vec3 from(at_[0], at_[1], at_[2]);
   Arc arc{from, place_of(block), from, plane_, clockwise};
   if (block.gives('R')) {
@@ -46,7 +46,7 @@ void Writer::arc(const PathBlock& block, bool clockwise) {
   if (inverse_ && !block.gives('F'))
     refuse_block(block, "in inverse time (G93) every arc needs its F.");
   if (pending_tool_) call_tool("");
-  fresh_ = in_cycle_ = false;
+  fresh_ = in_cycle_ = retracted_ = false;
   length();
   double feed = feed_;
   if (inverse_ && !control_.can.inverse_time) feed *= arc_length(arc);
@@ -78,10 +78,10 @@ void Writer::cycle(const PathBlock& block, int code) {
                  "cycles are posted in absolute coordinates, in the plane XY, with F in mm/min.");
   if (!block.gives('Z') || !block.gives('R')) refuse_block(block, "a cycle needs its Z and R.");
   if (block.gives('L') && block.get('L') != 1.0) refuse_block(block, "a cycle is done once: L1.");
-  if (other_operation_) straighten(block);
+  if (other_operation_) first_move(block);
   if (pending_tool_) call_tool("");
   length();
-  fresh_ = false;
+  fresh_ = retracted_ = false;
   if (!in_cycle_) initial_ = at_[2];
   in_cycle_ = true;
   DrillingCycle cycle;
@@ -133,6 +133,7 @@ void Writer::reference(const PathBlock& block, int tenths) {
   if (block.gives('P')) text += " P" + short_number(block.get('P'));
   out_.line(text);
   known_.fill(false);
+  retracted_ = false;
   out_.forget();
 }
 

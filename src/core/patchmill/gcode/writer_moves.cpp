@@ -67,7 +67,7 @@ void Writer::move(const PathBlock& block, int tenths) {
   Vec3 way = Vec3::Zero();
   bool turned = false;
   if (!called_ && m.motion == Motion::Rapid) return;  // there is no tool yet
-  if (other_operation_) straighten(block);
+  if (other_operation_) first_move(block);
   place(block, m, way, turned);
   m.feed = feed_;
   m.inverse = inverse_;
@@ -76,6 +76,7 @@ void Writer::move(const PathBlock& block, int tenths) {
   if (m.motion == Motion::Locked && !block.gives('K')) refuse_block(block, "G33 needs its K word.");
   if (m.motion == Motion::Locked) m.lead = lead(block.get('K'), way, turned);
   put(m, way);
+  retracted_ = false;
 }
 
 void Writer::put(MoveBlock m, const Vec3& way) {
@@ -126,6 +127,8 @@ void Writer::approach(MoveBlock m) {
   part.given = {false, false, false, m.given[3], m.given[4], m.given[5]};
   if (m.given[3] || m.given[4] || m.given[5]) {
     retract();
+    for (std::size_t i = 0; i < 3; ++i)
+      known_[i] = known_[i] || m.given[i];  // it comes back at once
     out_.move(part);
   }
   pending_tcp_ = fresh_ = false;
@@ -139,7 +142,7 @@ void Writer::approach(MoveBlock m) {
 
 /// To the machine's reference, where its file names one; then the tool comes in across and down again.
 void Writer::retract() {
-  if (style_.retract.empty()) return;
+  if (style_.retract.empty() || retracted_) return;
   for (const auto& [axis, value] : style_.retract) {
     std::string number;
     append_fixed(number, value, style_.precision, control_.can.form == BlockForm::PlainText);
@@ -152,11 +155,11 @@ void Writer::retract() {
   out_.forget();
   fresh_ = called_;
   across_ = false;
+  retracted_ = true;
 }
 
-/// Before the first move of another operation: the path mode as it was, and rotary axes that the operation
-/// before has left turned go back to zero, unless this one says where it wants them.
-void Writer::straighten(const PathBlock& block) {
+/// Before the first move of another operation: the path mode as it was, unless it has said its own.
+void Writer::first_move(const PathBlock& block) {
   other_operation_ = false;
   if (!mode_said_ && path_mode_ != wanted_mode_) {
     const std::string& mode = wanted_mode_.empty() ? first_mode_ : wanted_mode_;
@@ -164,6 +167,11 @@ void Writer::straighten(const PathBlock& block) {
     path_mode_ = wanted_mode_;
     out_.forget_word();
   }
+  upright(block);
+}
+
+/// Rotary axes that the operation before has left turned go back to zero, but for those that `block` moves.
+void Writer::upright(const PathBlock& block) {
   std::string back;
   for (std::size_t i = 3; i < 6; ++i) {
     if (!known_[i] || at_[i] == 0.0 || block.gives(kWrittenAxes[i])) continue;
