@@ -192,6 +192,8 @@ def own_dialect(post_name):
 def _single_text(job, post_name, arguments):
     try:
         parts = host.post_parts(job, post_name, arguments)
+    except InputError:  # our own posts say what it is
+        raise
     except (Exception, SystemExit) as error:  # somebody's program: it may fail in any way
         remedy = "it failed (%s: %s): use another post-processor." % (type(error).__name__, error)
         raise InputError("PostProcessor", post_name, remedy) from error

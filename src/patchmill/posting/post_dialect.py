@@ -168,19 +168,19 @@ def _text(obj):
     """An object's path with its coolant, and with F as it was planned, of which FreeCAD's text has six
     decimals."""
     mode = host.coolant_of(obj)
-    text = core.with_feeds(text_of(obj.Path), _feeds(obj))
+    text = text_of(obj.Path)
+    feeds = _feeds(obj)
+    if feeds:
+        text = core.with_feeds(text, feeds)
     if mode in ("Flood", "Mist"):
         return "%s\n%s\nM9\n" % ({"Flood": "M8", "Mist": "M7"}[mode], text)
     return text
 
 
 def _feeds(obj):
-    """Every F of the object's path in its order [mm/s, or 1/s]: of a planned texture from its plan."""
+    """Every F of a planned texture's path in its order [mm/s, or 1/s]; nothing for other objects."""
     plan = getattr(getattr(obj, "Proxy", None), "planned", None)
-    if plan is not None:
-        return core.feeds_of(str(plan.pacing.text))
-    words = (command.Parameters for command in obj.Path.Commands)
-    return [word["F"] for word in words if "F" in word]
+    return [] if plan is None else core.feeds_of(str(plan.pacing.text))
 
 
 def _name(objects):

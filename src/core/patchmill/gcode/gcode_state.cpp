@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/gcode_state.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace patchmill::gcode {
@@ -282,6 +284,12 @@ GcodeBlock read_block(std::string_view text, long number, const ReadOptions& opt
   for (const GcodeWord& w : words)
     if (!early(w)) reader.word(w);
   reader.finish();
+  const bool codes = std::any_of(words.begin(), words.end(), [](const GcodeWord& w) {
+    return w.letter == 'G' || w.letter == 'M';
+  });
+  if (!codes && state.motion != MotionMode::Cycle &&
+      !(std::isnan(block.p) && std::isnan(block.q) && std::isnan(block.l)))
+    refuse_block(block, "P, Q and L belong to no word of the block.");
   return block;
 }
 

@@ -19,10 +19,9 @@ PathBlock path_block(std::string_view text, long number) {
       block.codes[block.count++] = {w.letter, code_tenths(w, text, number)};
       continue;
     }
-    const auto k = static_cast<std::size_t>(w.letter - 'A');
-    if (block.has[k]) refuse_block(block, fmt::format("{} stands twice.", w.letter));
-    block.value[k] = w.value;
-    block.has[k] = true;
+    if (block.gives(w.letter)) refuse_block(block, fmt::format("{} stands twice.", w.letter));
+    block.value[static_cast<std::size_t>(w.letter - 'A')] = w.value;
+    block.letters |= letter_set(w.letter);
   }
   return block;
 }

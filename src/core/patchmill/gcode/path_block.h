@@ -3,10 +3,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "patchmill/gcode/controls/letter_set.h"
+
 #include <array>
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace patchmill::gcode {
 
@@ -22,8 +23,8 @@ struct PathBlock {
   std::array<BlockCode, kMostCodes + 1> codes{};  ///< its G and M words in their order
   std::size_t count = 0;                          ///< how many there are
   std::array<double, 26> value{};
-  std::array<bool, 26> has{};
-  bool gives(char letter) const { return has[static_cast<std::size_t>(letter - 'A')]; }
+  LetterSet letters = 0;  ///< those that have a value
+  bool gives(char letter) const { return (letters & letter_set(letter)) != 0; }
   double get(char letter) const { return value[static_cast<std::size_t>(letter - 'A')]; }
   bool code(char letter, int tenths) const {
     for (std::size_t i = 0; i < count; ++i)

@@ -21,7 +21,9 @@ class Writer {
   void one_code(const PathBlock& block, const BlockCode& code);
   void finish();
   // writer_words.cpp
-  void require_words(const PathBlock& block) const;
+  void require_words(const PathBlock& block);
+  LetterSet letters_of(const PathBlock& block, const BlockCode& code) const;
+  [[noreturn]] void refuse_offset(int tenths) const;
   bool known(const PathBlock& block, const BlockCode& code) const;
   void lone_words(const PathBlock& block);
   void machine_word(const PathBlock& block, int tenths);
@@ -59,6 +61,7 @@ class Writer {
   const ProgramStyle& style_;
   const Control& control_;
   ProgramText out_;
+  LetterSet move_letters_[2] = {0, 0};  ///< of G0 and G1, once they were asked for
   std::array<double, kAxisCount> at_{};
   std::array<bool, kAxisCount> known_{};
   double feed_ = 0.0, speed_ = 0.0, steady_ = 0.0;

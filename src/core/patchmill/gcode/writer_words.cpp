@@ -11,7 +11,7 @@
 namespace patchmill::gcode {
 namespace {
 
-constexpr std::string_view kAlways = "FST";
+constexpr LetterSet kAlways = letter_set("FST");
 
 bool is_cycle(int tenths) {
   return tenths == 730 || tenths == 810 || tenths == 820 || tenths == 830 || tenths == 850 ||
@@ -48,26 +48,48 @@ bool Writer::known(const PathBlock& block, const BlockCode& code) const {
         fmt::format("{} has no tool-centre-point control: choose Without TCP.", control_.title));
   if (t == 434) return true;  // the control's own words say it
   if (t == 490 && (tcp_ || pending_tcp_)) return true;
+  if (t >= 540 && t <= 593 && control_.meaning('G', t) == nullptr) refuse_offset(t);
   return (is_cycle(t) && !control_.can.cycles) || control_.meaning('G', t) != nullptr;
 }
 
-void Writer::require_words(const PathBlock& block) const {
-  std::string takes(kAlways);
+void Writer::refuse_offset(int tenths) const {
+  std::string offsets;
+  for (const CodeWord& word : control_.codes)
+    if (word.letter == 'G' && word.means >= 540 && word.means <= 593 && word.means != 541)
+      offsets += (offsets.empty() ? "" : ", ") + code_text('G', word.means);
+  throw InputError("Fixtures", code_text('G', tenths),
+                   fmt::format("{} has no such work offset: choose {} in the job's setup.",
+                               control_.title, offsets));
+}
+
+/// The letters that a word may have beside it.
+LetterSet Writer::letters_of(const PathBlock& block, const BlockCode& code) const {
+  if (!known(block, code))
+    refuse_block(block, fmt::format("{} has no {}: it cannot be posted for it.", control_.title,
+                                    code_text(code.letter, code.tenths)));
+  const CodeWord* word = control_.meaning(code.letter, code.tenths);
+  LetterSet takes = word ? letter_set(word->takes) : 0;
+  if (code.letter != 'G') return takes;
+  if (code.tenths == 330) takes |= letter_set("XYZABCK");
+  if (code.tenths == 640 || code.tenths == 434) takes |= letter_set("PQH");
+  if (is_cycle(code.tenths)) takes |= letter_set(cycle_letters(code.tenths));
+  return takes;
+}
+
+void Writer::require_words(const PathBlock& block) {
+  LetterSet takes = kAlways;
   for (std::size_t i = 0; i < block.count; ++i) {
     const BlockCode& code = block.codes[i];
-    if (!known(block, code))
-      refuse_block(block, fmt::format("{} has no {}: it cannot be posted for it.", control_.title,
-                                      code_text(code.letter, code.tenths)));
-    const CodeWord* word = control_.meaning(code.letter, code.tenths);
-    if (word) takes += word->takes;
-    if (code.letter == 'G' && code.tenths == 330) takes += "XYZABCK";
-    if (code.letter == 'G' && (code.tenths == 640 || code.tenths == 434)) takes += "PQH";
-    if (code.letter == 'G' && is_cycle(code.tenths)) takes += cycle_letters(code.tenths);
+    const bool move = code.letter == 'G' && (code.tenths == 0 || code.tenths == 10);
+    LetterSet& kept = move_letters_[move && code.tenths == 10];
+    if (!move)
+      takes |= letters_of(block, code);
+    else
+      takes |= kept = kept ? kept : letters_of(block, code);
   }
-  for (char letter = 'A'; letter <= 'Z'; ++letter)
-    if (block.gives(letter) && takes.find(letter) == std::string::npos)
-      refuse_block(block, fmt::format("{} has no word {} there: it cannot be posted for it.",
-                                      control_.title, letter));
+  if (const LetterSet lost = block.letters & ~takes)
+    refuse_block(block, fmt::format("{} has no word {} there: it cannot be posted for it.",
+                                    control_.title, first_letter(lost)));
 }
 
 /// S, T or F without a G or M word.

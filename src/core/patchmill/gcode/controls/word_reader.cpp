@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/controls/word_reader.h"
 
+#include "patchmill/gcode/controls/letter_set.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -11,10 +13,11 @@
 namespace patchmill::gcode {
 namespace {
 
-constexpr std::string_view kModal =
-    "XYZABCUVWIJKRPQFSTL";  // letters of motions and cycles in force
-constexpr std::string_view kAlways = "FST";
-constexpr std::string_view kLengths = "XYZABCIJKR";  // which Fanuc reads in units without a point
+// of motions and cycles in force
+constexpr LetterSet kModal = letter_set("XYZABCUVWIJKRPQFSTL");
+constexpr LetterSet kAlways = letter_set("FST");
+constexpr LetterSet kLengths =
+    letter_set("XYZABCIJKR");  // which Fanuc reads in units without a point
 
 class BlockCheck {
  public:
@@ -33,23 +36,20 @@ class BlockCheck {
     }
     if (known->group != WordGroup::None) once(*known);
     if (known->group == WordGroup::Motion || known->group == WordGroup::Once) own_letters_ = true;
-    takes_ += known->takes;
+    takes_ |= letter_set(known->takes);
     word.value = known->means / 10.0;
     if (word.letter == 'G' && known->means == 40) dwell_ = true;
   }
 
   void letter(const GcodeWord& word) {
-    const auto k = static_cast<std::size_t>(word.letter - 'A');
-    if (seen_[k]) refuse(fmt::format("{} stands twice in the block.", word.letter));
-    seen_[k] = true;
-    const bool length = kLengths.find(word.letter) != std::string_view::npos;
-    if (control_.can.numbers_need_point && length && !word.point)
+    const LetterSet one = letter_set(word.letter);
+    if (seen_ & one) refuse(fmt::format("{} stands twice in the block.", word.letter));
+    seen_ |= one;
+    if (control_.can.numbers_need_point && (kLengths & one) && !word.point)
       refuse(
           fmt::format("{} needs a decimal point: without one it counts units of the last decimal.",
                       word.letter));
-    const std::string_view modal = own_letters_ ? kAlways : kModal;
-    if (takes_.find(word.letter) == std::string::npos &&
-        modal.find(word.letter) == std::string_view::npos)
+    if (!((takes_ | (own_letters_ ? kAlways : kModal)) & one))
       refuse(fmt::format("{} belongs to no word of the block.", word.letter));
   }
 
@@ -85,8 +85,7 @@ class BlockCheck {
   std::string_view line_;
   long number_;
   std::array<bool, 64> groups_{};
-  std::array<bool, 26> seen_{};
-  std::string takes_;
+  LetterSet seen_ = 0, takes_ = 0;
   bool own_letters_ = false, dwell_ = false;
 };
 
