@@ -51,8 +51,6 @@ def post(job, filename, post_name=None, arguments=None):
     textures = [op for op in operations if kind_of(op) == TEXTURE]
     plans = [planned(op) for op in textures]
     post_name = post_name or control_match.post_for(plans)
-    if not post_name:
-        raise InputError("PostProcessor", "''", "choose a post-processor for the job.")
     for op, plan in zip(textures, plans):
         _check_verdict(op, plan)
         _check_arguments(post_name, plan, shlex.split(arguments))

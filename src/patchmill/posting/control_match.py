@@ -16,13 +16,13 @@ ANY = "freecad"  # a machine file that names no control
 
 
 def post_for(plans):
-    """The post-processor of PatchMill's own for the control of the first machine that names one; '' if none
-    does."""
+    """The post-processor of PatchMill's own for the control of the first machine that names one. Raises
+    InputError naming PostProcessor if none does."""
     for plan in plans:
         dialect = plan.machine.controller["dialect"] if plan.machine is not None else ANY
         if dialect != ANY:
             return "patchmill_" + dialect
-    return ""
+    raise InputError("PostProcessor", "''", "choose a post-processor for the job.")
 
 
 def require(post_name, own_name, precision, plans):
