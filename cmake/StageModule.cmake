@@ -24,6 +24,7 @@ install(FILES ${MODULE_FILES} DESTINATION Mod/PatchMill COMPONENT module)
 install(DIRECTORY src/posts/ DESTINATION Mod/PatchMill COMPONENT module FILES_MATCHING PATTERN "*_post.py")
 install(DIRECTORY src/patchmill DESTINATION Mod/PatchMill COMPONENT module PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY Gui/patchmill_gui DESTINATION Mod/PatchMill COMPONENT module PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY src/stubs/_patchmill/ DESTINATION Mod/PatchMill/_patchmill-stubs COMPONENT module)
 install(DIRECTORY Resources DESTINATION Mod/PatchMill COMPONENT module)
 # the command `patchmill`
 install(PROGRAMS tools/patchmill DESTINATION bin COMPONENT module)

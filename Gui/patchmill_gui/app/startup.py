@@ -63,7 +63,7 @@ def add_to_native_menu():
     methods, which work once it has been shown."""
     from patchmill.freecad import host
 
-    done = []
+    done: list = []
 
     def shown(name):
         if name != host.NATIVE_WORKBENCH or done:

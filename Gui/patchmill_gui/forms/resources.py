@@ -5,6 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import importlib
 import os
+import typing
 
 import patchmill
 from patchmill.freecad import host
@@ -23,6 +24,6 @@ def path(*parts):
     return os.path.join(FOLDER, *parts)
 
 
-def native(subject):
+def native(subject: str) -> typing.Any:
     """FreeCAD's GUI module for a subject of host.GUI_MODULES."""
     return importlib.import_module(host.GUI_MODULES[subject])

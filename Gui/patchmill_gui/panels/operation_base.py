@@ -3,6 +3,8 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import typing
+
 from PySide import QtGui
 
 from patchmill_gui.forms.property_form import PropertyForm
@@ -10,7 +12,12 @@ from patchmill_gui.forms.resources import native
 from patchmill_gui.forms.widgets import guard_editors, let_shrink, translate
 
 
-class OperationView(native("operation").ViewProvider):
+NativeView: typing.Any = native("operation").ViewProvider
+NativePanel: typing.Any = native("operation").TaskPanel
+NativePage: typing.Any = native("operation").TaskPanelPage
+
+
+class OperationView(NativeView):
     """FreeCAD's view provider with our selection gate, icon and panel. A subclass gives `make_panel`."""
 
     def __init__(self, vobj, resources):
@@ -20,7 +27,7 @@ class OperationView(native("operation").ViewProvider):
         vobj.Proxy = self
 
     def loads(self, state):
-        above = super()
+        above: typing.Any = super()
         (above.loads if hasattr(above, "loads") else above.__setstate__)(state)
         self.deleteOnReject = False
 
@@ -44,7 +51,7 @@ class OperationView(native("operation").ViewProvider):
         return True
 
 
-class OperationPanel(native("operation").TaskPanel):
+class OperationPanel(NativePanel):
     """FreeCAD's panel; Apply previews, and OK closes it when the work behind it is done. A subclass gives
     `preview`, starts its work in `accept` and calls `close_with` at the end."""
 
@@ -71,7 +78,7 @@ class OperationPanel(native("operation").TaskPanel):
         super().accept()
 
 
-class OperationPage(native("operation").TaskPanelPage):
+class OperationPage(NativePage):
     """A page with tool controller, coolant and a form of the operation's properties. A subclass builds its
     form with `begin_form` and adds to it."""
 

@@ -4,6 +4,8 @@ messages, and an OK that closes the panel only when the result is there.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import typing
+
 import FreeCAD
 from _patchmill import InputError
 from PySide import QtCore, QtGui
@@ -30,6 +32,12 @@ class Computing:
     """Mixin. The panel has `box` (a ComputingBox), `form_rows` (a PropertyForm) and gives
     `gather()`: in the GUI thread, the function of (progress) that computes; may raise InputError;
     `show_result(result)`: displays it; `finish(result)`: puts it in the document and closes."""
+
+    box: ComputingBox
+    form_rows: typing.Any
+    gather: typing.Callable
+    show_result: typing.Callable
+    finish: typing.Callable
 
     def start_computing(self):
         self.result = self.error = None

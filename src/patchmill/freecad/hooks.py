@@ -4,7 +4,12 @@ view providers, also when a macro made them. Headless nobody listens.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-CREATED, RESTORED = [], []  # functions of (document object)
+import typing
+
+Listener = typing.Callable[[typing.Any], None]  # of a document object
+
+CREATED: typing.List[Listener] = []
+RESTORED: typing.List[Listener] = []
 
 
 def announce(obj):

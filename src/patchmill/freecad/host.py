@@ -9,6 +9,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import contextlib
 import os
 import tempfile
+import typing
 
 import FreeCAD
 import Path
@@ -244,7 +245,7 @@ def _post_0_20(job, post_name, arguments):
     import PathScripts.PathPost as PathPost
     from PathScripts.PathPostProcessor import PostProcessor
 
-    parts = []
+    parts: list = []
     with tempfile.TemporaryDirectory() as folder:
         for objects in PathPost.CommandPathPost().buildPostList(job):
             # several posts return nothing: what counts is the file
@@ -264,7 +265,7 @@ def without_last_rapid(path):
     return path
 
 
-def post_processor_class():
+def post_processor_class() -> typing.Any:
     """The base class of post-processors, from FreeCAD 1.0 on; None on older ones, which know functions."""
     try:
         from Path.Post.Processor import PostProcessor

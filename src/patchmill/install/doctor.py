@@ -77,8 +77,8 @@ def _place():
 
 def _copies():
     """Another PatchMill on the path would give this one its modules, or take them."""
-    found = {os.path.realpath(os.path.join(p, "patchmill", "__init__.py")) for p in sys.path}
-    found = sorted(f for f in found if os.path.isfile(f))
+    possible = {os.path.realpath(os.path.join(p, "patchmill", "__init__.py")) for p in sys.path}
+    found = sorted(f for f in possible if os.path.isfile(f))
     if len(found) < 2:
         return [Finding("copies", RIGHT, "one PatchMill on Python's path")]
     return [Finding("copies", WRONG, ", ".join(found), "keep one of them.")]

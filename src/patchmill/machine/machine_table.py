@@ -110,7 +110,7 @@ def _spelt(parts):
 
 def _choices(item, optional):
     if isinstance(item, Value) and item.types == (bool,):
-        words = ("yes", "no")
+        words: tuple = ("yes", "no")
     else:
         words = tuple(getattr(item, "words", None) or ())
     return ("",) + words if words and optional else words

@@ -80,7 +80,7 @@ def shipped_folder():
 
 def names():
     """Keys of all machine files, sorted."""
-    found = set()
+    found: set = set()
     for folder in (shipped_folder(), user_folder()):
         if os.path.isdir(folder):
             found.update(f[:-5] for f in os.listdir(folder) if f.endswith(".json"))

@@ -103,7 +103,7 @@ class DressupDCM:
     RESULT = "result"
     KIND = kinds.DCM
     model = result = error = ready = None
-    _inputs = {}  # see absent_core
+    _inputs: dict = {}  # see absent_core
 
     def __init__(self, obj, base):
         obj.addProperty(

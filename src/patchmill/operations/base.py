@@ -19,7 +19,7 @@ class BallEndOperation(host.PathOp.ObjectOp):
 
     RESULT = ""
     error = None
-    _inputs = {}  # see absent_core
+    _inputs: dict = {}  # see absent_core
 
     @classmethod
     def properties(cls):

@@ -53,25 +53,29 @@ class CopyInput:
 
 def input_of(obj):
     """CopyInput of a CopyMilling object. Raises InputError naming the property."""
-    tool, *cutting = _cutting(obj.ToolController)
+    tool, feed, plunge_feed, cutting_edge = _cutting(obj.ToolController)
     _check(obj, tool)
     job = made_from.job_of(obj)
     faces = _faces(obj)
+    stock, model = removal_model.job_shapes(job)
     return CopyInput(
-        obj.Mode,
-        obj.Passes,
-        obj.RadialDepth.Value,
-        obj.AxialDepth.Value,
-        obj.FinishingRadialDepth.Value,
-        obj.Allowance.Value,
-        obj.Tolerance.Value,
-        obj.SafeHeight.Value,
-        *cutting,
-        tool,
-        _spindle(obj.ToolController),
-        *removal_model.job_shapes(job),
-        _compound(faces) if faces else "",
-        len(faces),
+        mode=obj.Mode,
+        passes=obj.Passes,
+        radial=obj.RadialDepth.Value,
+        axial=obj.AxialDepth.Value,
+        finishing_radial=obj.FinishingRadialDepth.Value,
+        allowance=obj.Allowance.Value,
+        tolerance=obj.Tolerance.Value,
+        safe_height=obj.SafeHeight.Value,
+        feed=feed,
+        plunge_feed=plunge_feed,
+        cutting_edge=cutting_edge,
+        tool=tool,
+        spindle=_spindle(obj.ToolController),
+        stock=stock,
+        model=model,
+        faces=_compound(faces) if faces else "",
+        face_count=len(faces),
     )
 
 

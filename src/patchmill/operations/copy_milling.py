@@ -148,7 +148,8 @@ def live_options(given):
     stock, part, faces = solids(given)
     if faces is not None:
         raise InputError("Base", given.chosen, "live, choose the whole model.")
-    return _options(given, *_to_cut(stock, part), given.radial, given.axial, 0.0), part
+    low, high = _to_cut(stock, part)
+    return _options(given, low, high, given.radial, given.axial, 0.0), part
 
 
 def _to_cut(stock, part):

@@ -57,10 +57,10 @@ class ObjectTexture(BallEndOperation):
 
     RESULT = "planned"
     KIND = kinds.TEXTURE
-    SURFACE = None
+    SURFACE = ""
     CALIBRATING = False
-    OWN_PROPERTIES = []
-    OWN_RESULTS = []
+    OWN_PROPERTIES: list = []
+    OWN_RESULTS: list = []
     planned = ready = None  # noqa: F811
     posture_field = None  # instead of PostureField: (positions, normals) -> (n, 3) axes; not saved
 
@@ -156,7 +156,7 @@ def _mask(obj):
 
 
 def _face_breps(obj):
-    faces = {}  # by object: faces in one text keep the edges that they share, which are no borders
+    faces: dict = {}  # by object: faces in one text keep the edges that they share, which are no borders
     for base, names in obj.Base:
         found = made_from.faces_of(base, names, "select faces, nothing else.")
         faces.setdefault(base.Name, []).extend(found)

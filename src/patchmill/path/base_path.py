@@ -167,7 +167,7 @@ def write(base, path, source, feed_tolerance, make_command):
 
 def _runs(start, tips, feeds, first, last, tolerance, centre):
     """Stretches of equal feed, as (start, end, feed): chords of an arc become one, up to half a circle."""
-    runs = []
+    runs: list = []
     for i in range(first, last):
         joins = False
         if runs and centre is not None:

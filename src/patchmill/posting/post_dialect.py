@@ -92,7 +92,7 @@ class Dialect:
             return None
         dialect = self
 
-        class Processor(PostProcessor):
+        class Processor(PostProcessor):  # type: ignore  # FreeCAD gives it while it runs
             def __init__(self, job):
                 super().__init__(
                     job, tooltip=dialect.tooltip, tooltipargs=dialect.arguments_help, units="Metric"
@@ -153,7 +153,7 @@ def _machine_words(machine, dialect):
     if machine is None:
         return {}
     data = machine.data.get("retract_mm", {})
-    words = {"retract": [(axis, data[axis]) for axis in "ZXY" if axis in data]}
+    words: dict = {"retract": [(axis, data[axis]) for axis in "ZXY" if axis in data]}
     controller = machine.controller
     if controller["dialect"] == dialect:
         names = ("smoothing_on", "smoothing_off", "tcp_on", "tcp_off")

@@ -6,6 +6,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 from dataclasses import replace
 
+from typing import Any, Callable, Optional
+
 import _patchmill as core
 import numpy as np
 from _patchmill import InputError
@@ -14,7 +16,7 @@ from patchmill.textures import strategies
 from patchmill.textures.division import divide_on_surface, sampler_on
 
 
-def place(given, progress=None):
+def place(given: Any, progress: Optional[Callable[[float], bool]] = None) -> Optional[dict]:
     """The fields of a PlacedTexture in free form, as a dict; None if `progress` returned False."""
     if given.texture_kind != "Overlapping":
         raise InputError("TextureKind", given.texture_kind, "the free form's marks overlap: choose so.")

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from dataclasses import dataclass, field, replace
+from typing import Callable, Optional
 from math import degrees, radians
 
 import _patchmill as core
@@ -20,6 +21,7 @@ from patchmill.textures.input import TextureInput
 __all__ = ["PlacedTexture", "PlannedTexture", "TextureInput", "place_texture", "plan_texture"]
 
 VERTICAL = (0.0, 0.0, 1.0)
+Progress = Optional[Callable[[float], bool]]
 
 
 @dataclass
@@ -117,11 +119,13 @@ def place_texture(given, progress=None):
     """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
 
     Raises InputError naming the property that is wrong."""
-    place = free_form.place if given.form == "Free" else _place_lattice
-    placed = place(given, progress)
-    if placed is None:
+    if given.form == "Free":
+        fields = free_form.place(given, progress)
+    else:
+        fields = _place_lattice(given, progress)
+    if fields is None:
         return None
-    placed = PlacedTexture(asked=given, **placed)
+    placed = PlacedTexture(asked=given, **fields)
     core.keep_off_borders(placed.dimples, given.breps, given.margin)
     if given.mask:
         _apply_mask(placed)
@@ -132,7 +136,7 @@ def place_texture(given, progress=None):
     return placed
 
 
-def _place_lattice(given, progress):
+def _place_lattice(given: TextureInput, progress: Progress) -> Optional[dict]:
     """The fields of a PlacedTexture whose dimples are on a lattice, as a dict."""
     size = texture_size(given)  # before the faces are looked at
     given = replace(given, spacing=size["spacing"])

@@ -126,12 +126,14 @@ def _told(posture, machine, decimals):
             machine.key,
             "axis %s would leave its limits by %.3f mm." % (load["overtravel_axis"], load["overtravel_mm"]),
         )
+    before, after = _tcp_words(posture, machine)
     return core.freecad_rotary_text(
         posture.told,
         machine.rotary_letters,
         machine.model,
         decimals,
-        *_tcp_words(posture, machine),
+        before,
+        after,
         as_set="smoothing_on" in machine.controller,
     )
 

@@ -123,7 +123,7 @@ def _across(plan):
 def _alignment_of_sector(plan, places):
     """Of the sector between the centre and one side of a patch of the free form that holds most marks: there
     the passes are parallel."""
-    best = ([], None)
+    best: tuple = ([], None)
     for outline in plan.outlines():
         if not np.isfinite(outline).all():
             continue

@@ -18,7 +18,7 @@ from patchmill.voxels import materials
 from patchmill.voxels.materials import OWN
 
 MIB = 1024.0 * 1024.0
-_in_use = weakref.WeakValueDictionary()
+_in_use: weakref.WeakValueDictionary = weakref.WeakValueDictionary()
 
 
 @dataclass
@@ -102,7 +102,9 @@ class RemovalModel:
         names = {"time step": "TimeStep", "diffusion time": "DiffusionTime"}
         names["diffusion coefficient"] = "Diffusivity"
         try:
-            return core.diffuse_feed(self.grid, low, high, *transient, self.given.exterior)[0]
+            time, step, diffusivity, divided = transient
+            exterior = self.given.exterior
+            return core.diffuse_feed(self.grid, low, high, time, step, diffusivity, divided, exterior)[0]
         except InputError as error:
             raise InputError(names.get(error.property, error.property), error.value, error.remedy) from error
 
@@ -142,7 +144,8 @@ def make(given, file="", progress=None):
     if model is None:
         found = core.load_voxels(file, key) if file else None
         if found is not None:
-            model = RemovalModel(given, *found, stock, part, True)
+            grid, posture, materials = found
+            model = RemovalModel(given, grid, posture, materials, stock, part, True)
             model.files.add(file)
         else:
             model = _new(given, stock, part, bodies, progress)

@@ -1,0 +1,55 @@
+"""Gouges and collisions of a tool along a path.
+
+Made by tools/stubs from the compiled module.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import typing
+
+import numpy
+import numpy.typing
+import _patchmill.path
+
+class PartModel:
+    """The part as closed meshes; known is False if it could not be."""
+    def distances(self, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """Signed distances [mm] of (n, 3) points, positive outside."""
+        ...
+    @property
+    def known(self) -> bool:
+        ...
+    @property
+    def reason(self) -> str:
+        ...
+    @property
+    def triangles(self) -> int:
+        ...
+
+class Tessellation:
+    """A shape as triangles."""
+    @property
+    def closed(self) -> bool:
+        ...
+    @property
+    def reason(self) -> str:
+        """Why it is no closed solid."""
+        ...
+    @property
+    def triangles(self) -> numpy.typing.NDArray[numpy.int32]:
+        """Indices into vertices, (m, 3)."""
+        ...
+    @property
+    def vertices(self) -> numpy.typing.NDArray[numpy.float64]:
+        """[mm], (n, 3)."""
+        ...
+
+def check_clearance(path: _patchmill.path.ToolPath, sections: list[tuple[str, float, float, float, float]], part: PartModel, tolerance: float, clearance: float, resolution: float, most_findings: int = 1000, first_move: int = 0, progress: object = None) -> dict[str, typing.Any]:
+    """Gouges and collisions of a path: outcome 'clear', 'violated' or 'unknown', and arrays. `sections`: (part, from, to, radius_from, radius_to) above the tip [mm]."""
+    ...
+def part_model(breps: list[str], deflection: float) -> PartModel:
+    """Meshes the solids of shapes given as BREP texts."""
+    ...
+def tessellate(brep: str, deflection: float, angle: float = 0.35) -> Tessellation:
+    """A shape, given as BREP text, as one mesh; `deflection` [mm], `angle` [rad]."""
+    ...

@@ -1,0 +1,81 @@
+"""Marks that a moved cutter leaves, and how they lie.
+
+Made by tools/stubs from the compiled module.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import typing
+
+import numpy
+import numpy.typing
+import _patchmill.machine
+import _patchmill.patch
+import _patchmill.path
+import _patchmill.sync
+
+class TextureMarks:
+    """The relief of a texture and the dimples found in it."""
+    @property
+    def complete(self) -> bool:
+        ...
+    @property
+    def evaluations(self) -> int:
+        ...
+    @property
+    def first(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Plane coordinates of cell [0, 0] [mm]."""
+        ...
+    @property
+    def heights(self) -> numpy.typing.NDArray[numpy.float32]:
+        """Deviation from the base along its normal [mm], (rows, columns); NaN: no base."""
+        ...
+    @property
+    def passes(self) -> int:
+        ...
+    @property
+    def step(self) -> float:
+        ...
+    @property
+    def stock(self) -> float:
+        ...
+    def surface(self, base: object, reach: float, row: int, rows: int, column: int, columns: int, stride: int) -> tuple[typing.Any, ...]:
+        """(points (r, c, 3) [mm], heights (r, c)) of a block, every `stride`-th cell."""
+        ...
+
+class ToolMotion:
+    """Where the ball is at every spindle angle."""
+    @property
+    def runs(self) -> int:
+        ...
+    @property
+    def standing_moves(self) -> int:
+        ...
+    @property
+    def untimed_moves(self) -> int:
+        ...
+
+def best_start_phase(path: _patchmill.path.ToolPath, dimples: _patchmill.patch.Dimples, rule: _patchmill.sync.PhaseRule) -> float:
+    """Azimuth of flute 0 at the start [rad] that takes the mean phase error away."""
+    ...
+def classify_alignment(places: numpy.typing.ArrayLike, feed: numpy.typing.ArrayLike, feed_per_tooth: float, cross_feed: float) -> dict[str, typing.Any]:
+    """How marks line up along rows: state, shift, agreement."""
+    ...
+def compare_window(marks: TextureMarks, dimples: _patchmill.patch.Dimples, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, spacing: float) -> dict[str, typing.Any]:
+    """The dimples of a window and how they compare with the plan: arrays and figures."""
+    ...
+def housing_x(machine: _patchmill.machine.Kinematics, joints: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+    """Azimuth 0 of the spindle's housing in the work frame, (n, 3), for (n, 2) angles [rad]."""
+    ...
+def motion_of_path(path: _patchmill.path.ToolPath, dimples: _patchmill.patch.Dimples, rule: _patchmill.sync.PhaseRule, start_phase: typing.Optional[float] = None, housing: typing.Optional[numpy.typing.ArrayLike] = None) -> ToolMotion:
+    """The motion of a path; `start_phase` [rad] of flute 0, or None: right at the first dimple of every run. `housing`: see housing_x; None for an upright tool."""
+    ...
+def motion_of_samples(time: numpy.typing.ArrayLike, tips: numpy.typing.ArrayLike, spindle_angle: numpy.typing.ArrayLike, spindle: _patchmill.path.Spindle, radius: float, axes: typing.Optional[numpy.typing.ArrayLike] = None) -> ToolMotion:
+    """The motion of a recording: [s], (n, 3) [mm], azimuth of flute 0 [rad] unwrapped."""
+    ...
+def path_on_machine(path: _patchmill.path.ToolPath, model: _patchmill.machine.MotionModel) -> tuple[typing.Any, ...]:
+    """(known, reason why not, the path with the turns that the motion model predicts)."""
+    ...
+def simulate_texture(motion: ToolMotion, tool: _patchmill.path.BallEndMill, plane: _patchmill.patch.TexturePlane, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, step: float, stock: float, base: object = None, reach: float = 1.0, helix: float = 0.0, runout: list[float] = ..., least_depth: float = 0.002, halo: float = 1.0, memory_limit: float = 4000000000.0, progress: object = None) -> TextureMarks:
+    """The relief over `low` to `high` of the plane [mm] and its dimples; `base`: a FaceSampler, Dimples (the planes of patches), or None (the plane)."""
+    ...

@@ -1,0 +1,81 @@
+"""Tools, spindles and tool paths.
+
+Made by tools/stubs from the compiled module.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import typing
+
+import numpy
+import numpy.typing
+
+class BallEndMill:
+    """Ball radius [mm], > 0, and number of flutes, 1 to 32."""
+    def __eq__(self, other: object) -> bool:
+        ...
+    def __init__(self, radius: float, flutes: int) -> None:
+        ...
+    @property
+    def flutes(self) -> int:
+        ...
+    @property
+    def radius(self) -> float:
+        ...
+
+class Spindle:
+    """Speed [revolutions per second], > 0, and sense, 'M3' or 'M4'."""
+    def __eq__(self, other: object) -> bool:
+        ...
+    def __init__(self, speed: float, sense: str) -> None:
+        ...
+    @property
+    def sense(self) -> str:
+        ...
+    @property
+    def sign(self) -> float:
+        ...
+    @property
+    def speed(self) -> float:
+        ...
+
+class ToolPath:
+    """An ordered list of timed moves of the tool tip."""
+    def __len__(self) -> int:
+        ...
+    @property
+    def axes(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Unit tool axis at the end of each move, (n, 3)."""
+        ...
+    @property
+    def dimples(self) -> numpy.typing.NDArray[numpy.int32]:
+        """Number of the dimple on which each move ends, or -1."""
+        ...
+    @property
+    def kinds(self) -> numpy.typing.NDArray[numpy.uint8]:
+        """0 rapid, 1 link, 2 cut."""
+        ...
+    @property
+    def spindle(self) -> Spindle:
+        ...
+    @property
+    def start(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+    def statistics(self) -> dict[str, typing.Any]:
+        """Lengths [mm], seconds, turns and counts."""
+        ...
+    @property
+    def tips(self) -> numpy.typing.NDArray[numpy.float64]:
+        """End of each move [mm], (n, 3)."""
+        ...
+    @property
+    def tool(self) -> BallEndMill:
+        ...
+    @property
+    def turns(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Planned spindle turns of each move; NaN where unknown."""
+        ...
+
+def make_path(tool: BallEndMill, spindle: Spindle, start: numpy.typing.ArrayLike, tips: numpy.typing.ArrayLike, axes: typing.Optional[numpy.typing.ArrayLike], kinds: list[int], turns: list[float]) -> ToolPath:
+    """ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an upright tool, kinds, spindle turns or NaN. Raises InputError naming path, axes, kind or turns."""
+    ...
