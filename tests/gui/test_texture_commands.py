@@ -39,6 +39,17 @@ class TextureCommands(driver.BlockTest):
                 self.assertTrue(os.path.exists(operation.ViewObject.Proxy.getIcon()))
         self.assertEqual(len(host.jobs()), 1)
 
+    def test_ok_takes_the_plan_of_the_preview_when_sizes_are_worked_out(self):
+        operation, panel = self.begin()
+        driver.set_quantity(panel, "RidgeHeight", 0.05)
+        driver.set_quantity(panel, "Spacing", 0.0)  # from the ridge height
+        self.assertTrue(driver.ready(panel))
+        self.assertIsNone(panel.error)
+        ready = panel.ready
+        self.assertNotEqual(ready.planned.input, ready.planned.asked)
+        driver.accept(panel)
+        self.assertIs(operation.Proxy.planned, ready.planned)
+
     def test_cancel_leaves_nothing(self):
         before = self.names()
         _, panel = self.begin()

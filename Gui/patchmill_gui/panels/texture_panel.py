@@ -171,7 +171,7 @@ class TexturePanel(OperationPanel):
         if given is None:
             self.accepting = False
             return
-        if self.ready is not None and self.ready.planned.input == given:
+        if self.ready is not None and self.ready.planned.asked == given:
             self._planned(self.ready)
         else:
             self.planning.start(lambda progress: _prepared_and_drawn(given, progress))
