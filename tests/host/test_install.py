@@ -5,7 +5,6 @@ Each case runs in a FreeCAD of its own, on a copy of the module in which the cor
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import glob
 import importlib.machinery
 import os
 import re
@@ -23,7 +22,7 @@ import patchmill  # noqa: E402
 from parts import job_on, tilted_box  # noqa: E402
 from patchmill.install import core_loader  # noqa: E402
 
-STAGE = next(p for p in sys.path if glob.glob(os.path.join(p, "_patchmill.*")))
+ROOT = core_loader.module_root()
 SUFFIX = importlib.machinery.EXTENSION_SUFFIXES[0]
 PROGRAM = os.environ.get("FREECADCMD", "freecadcmd")
 OPENED = """
@@ -51,9 +50,9 @@ class Case(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
         self.module = os.path.join(self.folder, "PatchMill")
         os.makedirs(self.module)
-        for name in os.listdir(STAGE):
-            if not name.startswith(("_patchmill.", "core")):
-                os.symlink(os.path.realpath(os.path.join(STAGE, name)), os.path.join(self.module, name))
+        for name in os.listdir(ROOT):
+            if not name.startswith(("_patchmill.", "core", ".", "build")):
+                os.symlink(os.path.realpath(os.path.join(ROOT, name)), os.path.join(self.module, name))
 
     def run_script(self, text):
         """(exit status, output) of a script in a FreeCAD with the copy of the module."""

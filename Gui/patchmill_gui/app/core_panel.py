@@ -30,6 +30,7 @@ class CorePanel:
 
     def __init__(self):
         self.form = QtGui.QWidget()
+        self.form.setObjectName("PatchMillCorePanel")
         self.form.setWindowTitle(translate("PatchMill's compiled core"))
         layout = QtGui.QVBoxLayout(self.form)
         reason = core_loader.why_absent()
