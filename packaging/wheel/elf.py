@@ -23,6 +23,12 @@ def needed(file):
     return re.findall(r"\(NEEDED\)\s+Shared library: \[(.*)\]", text)
 
 
+def search_path(file):
+    """Where an ELF file wants its libraries to be looked for first; '' if it does not say."""
+    text = subprocess.run(["readelf", "-d", file], capture_output=True, text=True, check=True).stdout
+    return "".join(re.findall(r"\((?:RPATH|RUNPATH)\)\s+Library \w+: \[(.*)\]", text))
+
+
 def found_libraries(file):
     """{name: path} of all the libraries that the loader would take for a file, directly or not."""
     text = subprocess.run(["ldd", file], capture_output=True, text=True, check=True).stdout

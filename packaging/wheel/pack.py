@@ -66,16 +66,23 @@ def bundle(core, folder):
     for source, copy, path in copies:
         shutil.copyfile(source, copy)
         os.chmod(copy, 0o755)
-        edits = ["--force-rpath", "--set-rpath", path]
-        for library in elf.needed(source):
-            if library in names:
-                edits += ["--replace-needed", library, names[library]]
+        edits = [["--force-rpath", "--set-rpath", path]]
+        edits += [["--replace-needed", n, names[n]] for n in elf.needed(source) if n in names]
         if source is not core:
-            edits += ["--set-soname", os.path.basename(copy)]
+            edits.append(["--set-soname", os.path.basename(copy)])
         subprocess.run(["strip", "--strip-unneeded", copy], check=True)
-        subprocess.run(["patchelf", *edits, copy], check=True)
+        for edit in edits:  # patchelf 0.14 mixes up the texts of several at once
+            subprocess.run(["patchelf", *edit, copy], check=True)
         elf.make_unique_weak(copy)
+        require_own(copy, set(names.values()), path)
     return sorted(os.path.realpath(path) for path in found.values())
+
+
+def require_own(file, names, path):
+    """Ends with the reason if a file of the wheel would take a library from where it is not to."""
+    foreign = [n for n in elf.needed(file) if n not in names and not re.match(OF_THE_SYSTEM, n)]
+    if foreign or elf.search_path(file) != path:
+        raise SystemExit("%s: %s, looked for in %s" % (file, ", ".join(foreign), elf.search_path(file)))
 
 
 def add_licences(sources, folder):

@@ -141,23 +141,16 @@ def _try(bring, folder):
 
 
 def _from_wheel(folder):
-    """The wheel's libraries are copies of its own: their symbols come before all others of the process, also
-    where something has loaded FreeCAD's OpenCASCADE for everybody (RTLD_GLOBAL)."""
+    """The core that was unpacked there. Not with RTLD_DEEPBIND: std::cout would be another than the
+    program's."""
     found = _compiled_files([folder])
     matching = [f for f in found if _for_this_python(f)]
     if not matching:
         raise ModuleNotFoundError("No module named '%s'" % NAME)
     spec = importlib.util.spec_from_file_location(NAME, matching[0])
-    before = sys.getdlopenflags() if hasattr(sys, "getdlopenflags") else None
-    if before is not None:
-        sys.setdlopenflags(os.RTLD_NOW | getattr(os, "RTLD_DEEPBIND", 0))
-    try:
-        core = importlib.util.module_from_spec(spec)
-        sys.modules[NAME] = core  # the core's own errors are found by this name
-        spec.loader.exec_module(core)
-    finally:
-        if before is not None:
-            sys.setdlopenflags(before)
+    core = importlib.util.module_from_spec(spec)
+    sys.modules[NAME] = core  # the core's own errors are found by this name
+    spec.loader.exec_module(core)
     return core
 
 
