@@ -25,6 +25,7 @@ import zipfile
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import elf  # noqa: E402
+import symbols  # noqa: E402
 
 NAME, FOLDER = "patchmill_core", "patchmill_core.libs"
 # Of the system, or of the host: the C and C++ libraries, of which there can be one in a process
@@ -63,14 +64,17 @@ def bundle(core, folder):
     os.makedirs(libraries)
     copies = [(core, os.path.join(folder, os.path.basename(core)), "$ORIGIN/" + FOLDER)]
     copies += [(path, os.path.join(libraries, names[n]), "$ORIGIN") for n, path in found.items()]
-    for source, copy, path in copies:
+    for source, copy, _ in copies:
         shutil.copyfile(source, copy)
         os.chmod(copy, 0o755)
+        subprocess.run(["strip", "--strip-unneeded", copy], check=True)
+    defined = set().union(*(symbols.defined_names(copy) for _, copy, _ in copies))
+    for source, copy, path in copies:
+        symbols.rename(copy, defined)
         edits = [["--force-rpath", "--set-rpath", path]]
         edits += [["--replace-needed", n, names[n]] for n in elf.needed(source) if n in names]
         if source is not core:
             edits.append(["--set-soname", os.path.basename(copy)])
-        subprocess.run(["strip", "--strip-unneeded", copy], check=True)
         for edit in edits:  # patchelf 0.14 mixes up the texts of several at once
             subprocess.run(["patchelf", *edit, copy], check=True)
         elf.make_unique_weak(copy)
