@@ -8,6 +8,7 @@
 #include "patchmill/gcode/program_writer.h"
 #include "patchmill/geometry/error.h"
 
+#include <algorithm>
 #include <clocale>
 
 namespace patchmill {
@@ -73,6 +74,28 @@ void bind_text(py::module_& m) {
       "moves have their own. `exact_stop`: G61 first.");
 }
 
+gcode::ProgramSection section_part(const gcode::ProgramSection& whole, std::size_t first,
+                                   std::size_t end, const BallEndMill& tool) {
+  const std::vector<Move>& moves = whole.path.moves;
+  if (first > end || end > moves.size())
+    throw InputError("first", std::to_string(first), "give moves of the section, in order.");
+  const auto cut = [&](auto values, std::size_t more) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(end + more), values.end());
+    values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first));
+    return values;
+  };
+  gcode::ProgramSection part = whole;
+  part.path.tool = tool;
+  if (first > 0) part.path.start = moves[first - 1].end;
+  part.path.moves = cut(moves, 0);
+  part.lines = cut(whole.lines, 0);
+  if (!whole.angles.empty()) part.angles = cut(whole.angles, 1);
+  if (!whole.tcp.empty()) part.tcp = cut(whole.tcp, 0);
+  part.unplaced = std::max<std::int64_t>(0, whole.unplaced - static_cast<std::int64_t>(first));
+  part.unplaced = std::min(part.unplaced, static_cast<std::int64_t>(end - first));
+  return part;
+}
+
 void bind_reader(py::module_& m) {
   py::class_<gcode::ProgramSection>(m, "ProgramSection",
                                     "One tool, spindle speed and sense of a program.")
@@ -90,9 +113,13 @@ void bind_reader(py::module_& m) {
                            [](const std::array<double, 3>& a) { return Vec3(a[0], a[1], a[2]); });
           },
           "A, B and C at the start and at the end of each move [rad], (n + 1, 3).")
-      .def_property_readonly("tcp", [](const gcode::ProgramSection& s) {
-        return column_of<bool>(s.tcp, [](bool on) { return on; });
-      });
+      .def_property_readonly("tcp",
+                             [](const gcode::ProgramSection& s) {
+                               return column_of<bool>(s.tcp, [](bool on) { return on; });
+                             })
+      .def("part", &section_part, py::arg("first"), py::arg("end"), py::arg("tool"),
+           "The moves from `first` to before `end` alone, of `tool`. Raises InputError naming "
+           "first.");
   m.def(
       "read_gcode",
       [](const std::string& text, const BallEndMill& tool, const std::string& dialect, bool rotary,

@@ -274,6 +274,17 @@ def post_processor_class() -> typing.Any:
     return PostProcessor
 
 
+def post_objects(job, post_name):
+    """What FreeCAD hands to the post-processor: a list for each file. Work offsets are without a Proxy."""
+    if VERSION < (0, 21):
+        import PathScripts.PathPost as PathPost
+
+        return PathPost.CommandPathPost().buildPostList(job)
+    from Path.Post.Processor import PostProcessorFactory
+
+    return [o for _, o in PostProcessorFactory.get_post_processor(job, post_name)._buildPostList()]
+
+
 def post_parts(job, post_name, arguments):
     """What FreeCAD's post-processor `post_name` makes of the job: a list of texts, one per file."""
     if VERSION < (0, 21):

@@ -5,13 +5,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import functools
 import importlib
-import math
 import os
 import re
 import shlex
-from dataclasses import dataclass
 
-import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
@@ -20,61 +17,63 @@ from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.base import planned
 from patchmill.operations.copy_input import UNDERCUTS
 from patchmill.posting import control_match, kept_words
-from patchmill.textures import strategies, tool_posture
-from patchmill.verify import checks, posted_milling
-
-
-@dataclass
-class PostedTexture:
-    """One texture of a posted program, as read back from its text."""
-
-    operation: object  # document object
-    path: core.ToolPath
-    match: core.PlanMatch
-    errors: dict  # of _patchmill.phase_errors
-    unplaced: int = 0  # moves at the beginning of the path that start nobody knows where
-    check: checks.CheckResult = None  # of gouge and collision
+from patchmill.textures import strategies
+from patchmill.verify import checks, posted_job, posted_milling
+from patchmill.verify.posted_texture import PostedTexture
 
 
 def post(job, filename, post_name=None, arguments=None):
     """Posts `job` to `filename` and returns a list: a PostedTexture for each texture operation, and then a
-    PostedMilling for each copy milling and DCM modifier.
+    PostedMilling for each other operation; under several work offsets one for each copy.
 
     `post_name` and `arguments` default to the job's own; the folder of `filename` must be there. The text is
-    read back, compared with the plan and its phase measured; only then does the file appear, whole.
+    read back, offset by offset and operation by operation, compared with the plans and their phase measured;
+    only then does the file appear, whole.
     Raises InputError, leaving no file and an existing one untouched, if an operation is invalid, if the text
     does not hold the plan, or if the tool would gouge or collide (docs/checks.md)."""
     _require_place(filename)
     post_name = post_name or job.PostProcessor
     arguments = job.PostProcessorArgs if arguments is None else arguments
+    words = _split(arguments)
+    if not job.Fixtures:
+        raise InputError("Fixtures", "none", "choose a work offset in the job's setup, such as G54.")
     operations = _active_operations(job)
     textures = [op for op in operations if kind_of(op) == TEXTURE]
     plans = [planned(op) for op in textures]
     post_name = post_name or control_match.post_for(plans)
+    if not re.fullmatch(r"\w+", post_name, re.ASCII):
+        raise InputError("PostProcessor", repr(post_name), "give the name of a post-processor.")
     for op, plan in zip(textures, plans):
         _check_verdict(op, plan)
-        _check_arguments(post_name, plan, shlex.split(arguments))
+        _check_arguments(post_name, plan, words)
     own = own_dialect(post_name)
-    decimals = _decimals(post_name, shlex.split(arguments), plans)
+    decimals = _decimals(post_name, words, plans)
     control_match.require(post_name, own.dialect if own else "", decimals, plans)
     tilted = [dressup for op in operations if (dressup := posted_milling.posture_of(op)) is not None]
     if tilted:
-        require_millimetres(tilted[0].Label, shlex.split(arguments))
+        require_millimetres(tilted[0].Label, words)
     _check_post(post_name, plans, tilted)
     text = _single_text(job, post_name, arguments)
     if own is None:
         kept_words.require(post_name, operations, text)
-    dialect = own.dialect if own else "linuxcnc"
-    posted = _read_back(text, textures, plans, dialect)
-    for one in posted:
-        one.check = checks.require_clear(one.operation, one.path, one.unplaced)
-    milled = [op for op in operations if posted_milling.is_milling(op)]
     half_unit = 0.5 * 10.0**-decimals
-    if "--inches" in shlex.split(arguments):
+    if "--inches" in words:
         half_unit *= 25.4
-    posted += [posted_milling.read_back(op, text, dialect, half_unit) for op in milled]
+    (objects,) = host.post_objects(job, post_name)
+    posted = posted_job.read_back(text, objects, own.dialect if own else "linuxcnc", half_unit)
+    for one in posted:
+        if isinstance(one, PostedTexture):
+            one.check = checks.require_clear(one.operation, one.path, one.unplaced)
     _write(filename, text)
     return posted
+
+
+def _split(arguments):
+    """The words of an argument string. Raises InputError naming PostProcessorArgs."""
+    try:
+        return shlex.split(arguments)
+    except ValueError as error:
+        raise InputError("PostProcessorArgs", repr(arguments), "%s." % error) from error
 
 
 def _require_place(filename):
@@ -202,82 +201,6 @@ def _single_text(job, post_name, arguments):
     if not parts[0].strip():
         raise InputError("PostProcessor", post_name, "the post-processor wrote nothing.")
     return parts[0]
-
-
-def _read_back(text, operations, plans, dialect):
-    posted = []
-    for op, plan in zip(operations, plans):
-        candidates = []
-        half_unit = 0.5 * 10.0**-plan.input.decimals
-        for section in core.read_gcode(text, plan.input.tool, dialect, rotary=plan.posture is not None):
-            if plan.posture is not None:
-                complete, match, path = tool_posture.read_back(
-                    section, plan.posture, plan.machine, half_unit
-                )
-            else:
-                path = section.path
-                match = core.match_plan(path, plan.path, half_unit)
-                complete = match.complete
-            candidates.append((complete, match.found, section, match, path))
-        best = max(candidates, key=lambda c: c[:2], default=None)
-        if best is None or not best[0]:
-            raise InputError(
-                op.Label,
-                "%d of %d dimples read back" % (best[1] if best else 0, plan.counts["cut"]),
-                "the post-processor changed the path: use another one.",
-            )
-        section, match, path = best[2:]
-        _check_spindle(op, plan, path)
-        if plan.input.strategy == strategies.CONSTANT:
-            errors = plan.phase_errors(path)
-        else:
-            _check_paces(op, plan, path)
-            errors = plan.predicted_errors()
-            posted.append(PostedTexture(op, path, match, errors, section.unplaced))
-            continue
-        largest = math.degrees(errors["largest"])
-        if not largest <= op.PhaseTolerance.Value or errors["runs"] != 1:
-            raise InputError(
-                "PhaseTolerance",
-                "%.4g degrees" % op.PhaseTolerance.Value,
-                "the posted text has a phase error of %.4g degrees in %d runs: post more decimals."
-                % (largest, errors["runs"]),
-            )
-        posted.append(PostedTexture(op, path, match, errors, section.unplaced))
-    return posted
-
-
-def _check_paces(op, plan, path):
-    """Every timed move of the text takes the turns that the planned words say: K and F are whole."""
-    spindle = plan.input.spindle
-    head = "%s S%d\n" % (spindle.sense, round(60.0 * spindle.speed))
-    words = re.sub(
-        r"F([0-9.]+)", lambda f: "F%.6f" % (60.0 * float(f.group(1))), str(plan.pacing.text)
-    )
-    rotary = plan.posture is not None
-    planned_path = core.read_gcode(head + words, plan.input.tool, rotary=rotary)[-1].path
-    core.match_plan(planned_path, plan.posture.told.path if rotary else plan.path, 1e-6)
-    timed = [p.turns[p.kinds > 0] for p in (planned_path, path)]
-    if len(timed[0]) == len(timed[1]):
-        both_unknown = np.isnan(timed[0]) & np.isnan(timed[1])
-        off = np.where(both_unknown, 0.0, np.abs(timed[0] - timed[1]) / np.maximum(timed[0], 1e-3))
-        if np.nanmax(off) < 1e-4 and not np.isnan(off).any():
-            return
-    raise InputError(
-        op.Label,
-        "other K or F words",
-        "the post-processor does not keep them: use patchmill_linuxcnc.",
-    )
-
-
-def _check_spindle(op, plan, path):
-    want, have = plan.input.spindle, path.spindle
-    if have.sense != want.sense or abs(have.speed - want.speed) > 1e-9:
-        raise InputError(
-            "SpindleSpeed",
-            "%g rpm %s" % (60.0 * want.speed, want.sense),
-            "the posted text turns the spindle at %g rpm %s." % (60.0 * have.speed, have.sense),
-        )
 
 
 def _write(filename, text):

@@ -7,17 +7,18 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 from dataclasses import dataclass
 
-import _patchmill as core
 import FreeCAD
 import numpy as np
 from _patchmill import InputError
 
 from patchmill.freecad.kinds import COPY_MILLING, DCM, kind_of
+from patchmill.verify.posted_program import PostedProgram, other_angles, trimmed
 
 AXES = "XYZABC"
 MOVES = {"G0": False, "G00": False, "G1": True, "G01": True}  # whether it cuts
-ROUNDED_TWICE = 1e-6  # mm, degrees: posts that take FreeCAD's text of a path round what has six decimals
+DWELLS = ("G4", "G04")
 UNREAD = ("G2", "G3", "G02", "G03", "G7", "G8")  # arcs; and cycles, which begin so
+SAME_FEED = 1e-3  # of F, or half a mm/min: what a post with few decimals may make of it
 
 
 @dataclass
@@ -27,13 +28,18 @@ class PostedMilling:
     operation: object  # document object
     moves: int = 0  # read back
     unknown: str = ""  # why it was not read back, or ''
+    offset: str = ""  # work offset of this copy
 
 
 def with_those_under(op):
-    """An operation or dressup, and what dressups are on."""
-    while hasattr(op, "Proxy"):
-        yield op
-        op = getattr(op, "Base", None)
+    """An operation or dressup, and what dressups and arrays are on."""
+    if not hasattr(op, "Proxy"):
+        return
+    yield op
+    base = getattr(op, "Base", None)
+    for under in base if isinstance(base, (list, tuple)) else [base]:
+        if hasattr(under, "isDerivedFrom") and under.isDerivedFrom("Path::Feature"):
+            yield from with_those_under(under)
 
 
 def is_milling(op):
@@ -56,76 +62,77 @@ def angles_in(op):
 def read_back(operation, text, dialect, half_unit):
     """PostedMilling of `operation`, posted as part of `text`, whose numbers are rounded by `half_unit` [mm,
     degrees] at most. Raises InputError naming the operation if the text has another path."""
-    told, cuts = _told(operation.Path.Commands)
+    told = told_by(operation.Path.Commands)
     if told is None:
-        return _unknown(operation, "its arcs and drilling cycles are not read back")
+        return unknown(operation, CYCLES)
     try:
-        sections = core.read_gcode(text, core.BallEndMill(1.0, 2), dialect, rotary=True)  # any tool
+        program = PostedProgram(text, dialect)
     except InputError as error:
-        return _unknown(operation, "the program cannot be read back (%s)" % error)
-    found = 0
-    for section in sections:
-        read = np.hstack([section.path.tips, np.degrees(section.angles[1:])])
-        found = max(found, _found(told, cuts, read, section.path.kinds > 0, half_unit))
-    if found < len(told):
-        said = "%d of %d moves read back" % (found, len(told))
-        raise InputError(operation.Label, said, "the post-processor changed the path: use another one.")
-    return PostedMilling(operation, found)
+        return unknown(operation, UNREADABLE % error)
+    return find(operation, told, program, half_unit)[0]
 
 
-def _unknown(operation, why):
+CYCLES = "its arcs and drilling cycles are not read back"
+UNREADABLE = "the program cannot be read back (%s)"
+
+
+def find(operation, told, program, half_unit, after=0):
+    """(PostedMilling, posted_program.Run) of what is told of `operation`, in a PostedProgram from its move
+    `after` on. Raises InputError naming the operation if it is not there."""
+    run = program.find(told, half_unit, after)
+    if not run.complete:
+        said = "%d of %d moves read back" % (run.found, len(told))
+        raise InputError(operation.Label, said, other_angles(program, told, half_unit, after))
+    _require_feeds(operation, told, program, run)
+    return PostedMilling(operation, len(told)), run
+
+
+def _require_feeds(operation, told, program, run):
+    """Every move takes the time that its F says; not looked at where moves that move nothing are missing."""
+    if run.end - run.first != len(told):
+        return
+    minutes = program.minutes(run.first, run.end)
+    before = program.ends[max(run.first - 1, 0) : run.end]
+    way = np.linalg.norm(np.diff(before[:, :3], axis=0), axis=1)
+    if run.first == 0:
+        way = np.concatenate([[np.nan], way])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        read = np.where(told.inverse, 1.0 / minutes, np.where(way > 0.0, way / minutes, np.nan))
+    off = np.abs(read - told.feeds) > np.maximum(SAME_FEED * told.feeds, np.where(told.inverse, 2e-3, 0.51))
+    if off.any():
+        move = int(np.flatnonzero(off)[0])
+        unit = "1/min" if told.inverse[move] else "mm/min"
+        said = "F %.4g %s in line %d" % (read[move], unit, program.line_of(run.first + move))
+        remedy = "the operation has F %.4g there: use another post-processor." % told.feeds[move]
+        raise InputError(operation.Label, said, remedy)
+
+
+def unknown(operation, why):
+    """PostedMilling of an operation that was not read back; says so in the report view."""
     FreeCAD.Console.PrintWarning("%s: %s: compare it with the path yourself.\n" % (operation.Label, why))
     return PostedMilling(operation, unknown=why)
 
 
-def _told(commands):
-    """(ends, cuts) of the moves from the first to the last that cuts: an n x 6 array of X Y Z [mm] A B C
-    [degrees], nan where no word said it yet; (None, None) if there are words that are not read."""
+def told_by(commands):
+    """posted_program.Told of Path.Command objects, from the first to the last that takes time; None if there
+    are words that are not read."""
     at = dict.fromkeys(AXES[:3], np.nan) | dict.fromkeys(AXES[3:], 0.0)
-    rows, cuts = [list(at.values())], [False]
+    feed, inverse = np.nan, False
+    rows, cuts, feeds, modes = [list(at.values())], [False], [np.nan], [False]
     for command in commands:
-        if command.Name in MOVES:
-            at.update((name, value) for name, value in command.Parameters.items() if name in at)
+        name = command.Name
+        if name in MOVES or name in DWELLS:
+            words = command.Parameters
+            dwell = name in DWELLS
+            if not dwell:
+                at.update((axis, value) for axis, value in words.items() if axis in at)
+                feed = 60.0 * words["F"] if "F" in words else feed
             rows.append(list(at.values()))
-            cuts.append(MOVES[command.Name])
-        elif command.Name.startswith(UNREAD) and command.Name != "G80":
-            return None, None
-    return _trimmed(np.array(rows), np.array(cuts))
-
-
-def _trimmed(ends, cuts):
-    where = np.flatnonzero(cuts)
-    run = slice(where[0], where[-1] + 1) if len(where) else slice(0, 0)
-    return ends[run], cuts[run]
-
-
-def _found(told, cuts, read, read_cuts, tolerance):
-    """How many of the told moves the text has in one run, from the first on: at best."""
-    if not len(told):
-        return 0
-    near = tolerance + ROUNDED_TWICE
-    best = 0
-    starts = read_cuts & _same(read, told[0], near)
-    for start in np.flatnonzero(starts):
-        best = max(best, _run(told, cuts, read[start:], read_cuts[start:], near))
-        if best == len(told):
-            break
-    return best
-
-
-def _same(read, told, near):
-    return np.all(np.isnan(told) | (np.abs(read - told) <= near), axis=-1)
-
-
-def _run(told, cuts, read, read_cuts, near):
-    """Moves of less than a unit of the text may be missing there, for they move nothing."""
-    n = min(len(told), len(read))
-    if n == len(told) and np.all(_same(read[:n], told, near)) and np.array_equal(read_cuts[:n], cuts):
-        return n
-    at = 0
-    for i, (end, cut) in enumerate(zip(told, cuts)):
-        if at < len(read) and read_cuts[at] == cut and _same(read[at], end, near):
-            at += 1
-        elif at == 0 or not _same(read[at - 1], end, 2.0 * near):
-            return i
-    return len(told)
+            cuts.append(dwell or MOVES[name])
+            feeds.append(np.nan if dwell or not cuts[-1] else feed)
+            modes.append(inverse)
+        elif name in ("G93", "G94"):
+            inverse, feed = name == "G93", np.nan
+        elif name.startswith(UNREAD) and name != "G80":
+            return None
+    return trimmed(np.array(rows), np.array(cuts), np.array(feeds), np.array(modes))

@@ -1,0 +1,154 @@
+"""A posted program as the moves that a control makes of it, so that every operation of a job is found in it,
+in the order in which it was posted: which moves are its own, with which tool, under which work offset.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import re
+from dataclasses import dataclass
+
+import _patchmill as core
+import numpy as np
+
+ROUNDED_TWICE = 1e-6  # mm, degrees: posts that take FreeCAD's text of a path round what has six decimals
+ANY_TOOL = core.BallEndMill(1.0, 2)
+COMMENT = re.compile(r"\([^)]*\)|;.*")
+
+
+@dataclass
+class Told:
+    """The moves of an operation from the first to the last that takes time. `ends`: (n, 6) of X Y Z [mm] and
+    A B C [degrees], nan where no word said it yet; `cuts`: whether each is a feed move or a dwell; `feeds`:
+    [mm/min, or 1/min where `inverse`], nan where nothing is to be compared."""
+
+    ends: np.ndarray
+    cuts: np.ndarray
+    feeds: np.ndarray
+    inverse: np.ndarray
+
+    def __len__(self):
+        return len(self.cuts)
+
+
+@dataclass
+class Run:
+    """Where an operation was found: moves `first` to before `end`; `found` of its moves are there at best,
+    all of them if `complete`."""
+
+    found: int = 0
+    first: int = 0
+    end: int = 0
+    complete: bool = False
+
+
+class PostedProgram:
+    """The moves of a program, all sections in one. Raises InputError for words that are not read."""
+
+    def __init__(self, text, dialect):
+        self.sections = core.read_gcode(text, ANY_TOOL, dialect, rotary=True)
+        self.begins = np.cumsum([0] + [len(s.path) for s in self.sections])
+        self.ends = _stacked([np.hstack([s.path.tips, np.degrees(s.angles[1:])]) for s in self.sections], 6)
+        self.cuts = np.concatenate([s.path.kinds > 0 for s in self.sections] or [np.zeros(0, bool)])
+
+    def __len__(self):
+        return len(self.cuts)
+
+    def find(self, told, half_unit, after=0):
+        """Run of the moves told, in one piece, from move `after` on: the first that is complete, else the
+        longest. Moves that move nothing may be missing in the text."""
+        best = Run()
+        if not len(told):
+            return Run(complete=True, first=after, end=after)
+        near = half_unit + ROUNDED_TWICE
+        starts = (self.cuts[after:] == told.cuts[0]) & _same(self.ends[after:], told.ends[0], near)
+        for first in after + np.flatnonzero(starts):
+            found, end = _run(told, self.ends[first:], self.cuts[first:], near)
+            if found > best.found:
+                best = Run(found, int(first), int(first + end), found == len(told))
+            if best.complete:
+                break
+        return best
+
+    def section_of(self, move):
+        """(number of the section of a move, number of the move in it)."""
+        number = int(np.searchsorted(self.begins, move, side="right")) - 1
+        return number, int(move - self.begins[number])
+
+    def part(self, first, end, tool):
+        """_patchmill.ProgramSection of the moves `first` to before `end`, cut by `tool`; those of it that are
+        in the section of the last one."""
+        number, last = self.section_of(end - 1)
+        begin = max(0, first - int(self.begins[number]))
+        return self.sections[number].part(begin, last + 1, tool)
+
+    def line_of(self, move):
+        number, index = self.section_of(move)
+        return int(self.sections[number].lines[index])
+
+    def offset_at(self, move):
+        """Number of the work offset in force (1: G54), None where the text has said none."""
+        said = self.sections[self.section_of(move)[0]].offset
+        return offset_number(said) if said else None
+
+    def minutes(self, first, end):
+        """What each move takes [min], nan where it is not known."""
+        turns = np.concatenate([s.path.turns for s in self.sections])
+        speeds = np.concatenate([np.full(len(s.path), s.path.spindle.speed) for s in self.sections])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(speeds > 0.0, turns / (60.0 * speeds), np.nan)[first:end]
+
+
+def offset_number(name):
+    """Number of a work offset from its name: G54 to G59, G59.1 and on, a Fanuc's G54.1 P1, a Siemens' G505
+    and on, a Heidenhain's preset; 0 for other names."""
+    further = re.fullmatch(r"(?:G54\.1 P|G59\.)(\d+)", name)
+    if further:
+        return 6 + int(further.group(1))
+    plain = re.fullmatch(r"G5([4-9])", name)
+    if plain:
+        return int(plain.group(1)) - 3
+    other = re.fullmatch(r"(?:G5|preset )(\d\d?)", name)
+    return int(other.group(1)) if other else 0
+
+
+def _stacked(arrays, columns):
+    return np.vstack(arrays) if arrays else np.zeros((0, columns))
+
+
+def _same(read, told, near):
+    return np.all(np.isnan(told) | (np.abs(read - told) <= near), axis=-1)
+
+
+def _run(told, read, read_cuts, near):
+    """(how many of the told moves are at the beginning of what was read, how many moves they are there)."""
+    n = min(len(told), len(read))
+    alike = n == len(told) and np.array_equal(read_cuts[:n], told.cuts)
+    if alike and np.all(_same(read[:n], told.ends, near)):
+        return n, n
+    at = 0
+    for i, (end, cut) in enumerate(zip(told.ends, told.cuts)):
+        if at < len(read) and read_cuts[at] == cut and _same(read[at], end, near):
+            at += 1
+        elif at == 0 or not _same(read[at - 1], end, 2.0 * near):
+            return i, at
+    return len(told), at
+
+
+def trimmed(ends, cuts, feeds=None, inverse=None):
+    """Told of moves, from the first to the last that takes time."""
+    where = np.flatnonzero(cuts)
+    run = slice(where[0], where[-1] + 1) if len(where) else slice(0, 0)
+    feeds = np.full(len(cuts), np.nan) if feeds is None else feeds
+    inverse = np.zeros(len(cuts), bool) if inverse is None else inverse
+    return Told(ends[run], cuts[run], feeds[run], inverse[run])
+
+
+def other_angles(program, told, half_unit, after):
+    """What helps for a path that is not there; where it is but for the rotary axes, those are named."""
+    anywhere = Told(told.ends.copy(), told.cuts, told.feeds, told.inverse)
+    anywhere.ends[:, 3:] = np.nan
+    run = program.find(anywhere, half_unit, after)
+    if not run.complete:
+        return "the post-processor changed the path: use another one."
+    a, b, c = program.ends[run.first][3:]
+    return "the rotary axes stand at A%.3f B%.3f C%.3f there: bring them back before it." % (a, b, c)

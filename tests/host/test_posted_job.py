@@ -1,0 +1,160 @@
+"""A job of several operations and work offsets is read back whole: every copy of every operation, in order.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import importlib
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+import FreeCAD  # noqa: E402
+import Part  # noqa: E402
+import patchmill  # noqa: E402
+from parts import WithDocuments  # noqa: E402
+from patchmill import InputError  # noqa: E402
+from patchmill.freecad import host  # noqa: E402
+from patchmill.verify import posted_job  # noqa: E402
+
+V = FreeCAD.Vector
+ARGUMENTS = "--no-header --precision=3"
+
+
+def roof():
+    """Two boxes whose tops slope by 20 and 25 degrees."""
+    boxes = []
+    for angle, x in ((20.0, -8.0), (-25.0, 9.0)):
+        box = Part.makeBox(12, 10, 4, V(-6, -5, -4))
+        box.rotate(V(), V(0, 1, 0), angle)
+        box.translate(V(x, 0, 0))
+        boxes.append(box)
+    return Part.makeCompound(boxes)
+
+
+def custom(job, lines):
+    """FreeCAD's own operation of lines of G-code."""
+    name = "Path.Op.Custom" if host.VERSION >= (0, 21) else "PathScripts.PathCustom"
+    operation = importlib.import_module(name).Create("Custom", parentJob=job)
+    operation.Gcode = lines
+    operation.ToolController = host.tool_controllers(job)[0]
+    job.Document.recompute()
+    return operation
+
+
+class PostedJob(WithDocuments):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.program = os.path.join(folder.name, "program.ngc")
+
+    def job(self, *strategies):
+        """A job over the roof with a texture of each strategy on its slopes."""
+        document = FreeCAD.newDocument("roof")
+        part = document.addObject("Part::Feature", "Part")
+        part.Shape = roof()
+        document.recompute()
+        job = host.create_job("Job", [part])
+        host.add_ball_end_controller(job, 2.0, 2, 600.0, 1000.0)
+        job.PostProcessorArgs = ARGUMENTS
+        model = job.Model.Group[0]
+        tops = [k for k, face in enumerate(model.Shape.Faces, 1) if face.normalAt(0, 0).z > 0.8]
+        textures = []
+        for number, strategy in zip(tops, strategies):
+            op = patchmill.CurvedTexture.Create("Texture%d" % number, parentJob=job)
+            op.Base = [(model, ["Face%d" % number])]
+            op.PatchSide, op.Strategy = 4, strategy
+            if strategy != "Constant feed":
+                op.Machine, op.SameFlute, op.ExtraTurns, op.PostUnheld = "linuxcnc-mill", False, 0.0, True
+            textures.append(op)
+        document.recompute()
+        return job, textures
+
+    def post(self, job, name="patchmill_linuxcnc"):
+        """(text, what posting returned)."""
+        posted = patchmill.post(job, self.program, name)
+        with open(self.program) as file:
+            return file.read(), posted
+
+    def refused(self, name, function, *arguments):
+        with self.assertRaises(InputError) as caught:
+            function(*arguments)
+        self.assertEqual(caught.exception.property, name, caught.exception)
+        print("refused:", caught.exception)
+
+    def read(self, job, lines):
+        (objects,) = host.post_objects(job, "patchmill_linuxcnc")
+        return posted_job.read_back("\n".join(lines) + "\n", objects, "linuxcnc", 0.0005)
+
+    def test_two_textures_with_one_tool(self):
+        locked, timed = "Spindle-locked", "Feed per move"
+        for strategies in ((locked, locked), (timed, locked), ("Constant feed", timed)):
+            job, textures = self.job(*strategies)
+            _, posted = self.post(job)
+            self.assertEqual([one.operation for one in posted], textures)
+            for one in posted:
+                self.assertEqual(one.match.found, one.operation.Proxy.planned.counts["cut"])
+                self.assertTrue(one.match.complete)
+
+    def test_beside_another_operation_of_the_tool(self):
+        lines = ["G0 Z30", "G0 X40 Y0", "G1 Z20 F10", "G1 X45 F10", "G4 P0.5", "G1 X47", "G0 Z30"]
+        for first in (True, False):
+            job, (texture,) = self.job("Spindle-locked")
+            other = custom(job, lines)
+            if first:
+                job.Operations.Group = [other, texture]
+            text, posted = self.post(job)
+            self.assertEqual([one.operation for one in posted], [texture, other])
+            self.assertEqual(posted[1].moves, 4)
+            changes = (("X45.0", "X45.1"), ("F600.000", "F700.000"), ("G1 X47", "G0 X47"))
+            for old, new in changes:
+                spoilt = text.replace(old, new)
+                self.assertNotEqual(spoilt, text, old)
+                self.refused(other.Label, self.read, job, spoilt.split("\n"))
+            self.refused("Program", self.read, job, (text + "G1 X0 Y0 Z-1 F600\n").split("\n"))
+
+    def test_every_offset_is_compared(self):
+        job, (texture,) = self.job("Constant feed")
+        job.Fixtures = ["G54", "G55"]
+        text, posted = self.post(job)
+        self.assertEqual([one.offset for one in posted], ["G54", "G55"])
+        lines = text.split("\n")
+        second = next(k for k, line in enumerate(lines) if "G55" in line)
+        cuts = [k for k in range(second, len(lines)) if lines[k].startswith("G1")]
+        middle = cuts[len(cuts) // 2]
+        x = next(word for word in lines[middle].split() if word[0] == "X")
+        moved = lines[middle].replace(x, "X%.3f" % (float(x[1:]) + 0.2))
+        self.read(job, lines)
+        faults = {
+            "moved": lines[:middle] + [moved] + lines[middle + 1 :],
+            "left out": lines[:middle] + lines[middle + 1 :],
+            "cut off": lines[:middle],
+            "another feed": lines[:middle] + [lines[middle].replace("F600", "F500")] + lines[middle + 1 :],
+            "slower spindle": lines[: cuts[0]] + ["M3 S900"] + lines[cuts[0] :],
+            "the first offset": [line.replace("G55", "G54") for line in lines],
+        }
+        for how, spoilt in faults.items():
+            with self.assertRaises(InputError, msg=how) as caught:
+                self.read(job, spoilt)
+            print(how, "->", caught.exception)
+
+    def test_what_no_program_can_be_made_of(self):
+        job, (texture,) = self.job("Constant feed")
+        self.refused("PostProcessorArgs", patchmill.post, job, self.program, None, "--precision='3")
+        self.refused("PostProcessor", patchmill.post, job, self.program, "os; import antigravity")
+        job.Fixtures = []
+        self.refused("Fixtures", patchmill.post, job, self.program)
+
+    def test_coolant_that_is_lost(self):
+        job, (texture,) = self.job("Constant feed")
+        texture.CoolantMode = "Flood"
+        text, _ = self.post(job)
+        self.refused("CoolantMode", self.read, job, text.replace("M8", "").split("\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
