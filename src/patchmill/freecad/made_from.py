@@ -9,6 +9,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import host
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
+from patchmill.geometry import shapes
 
 NAME = "MadeFrom"
 HIDDEN = 2  # FreeCAD's editor mode
@@ -41,10 +42,9 @@ def job_of(obj):
     if job is None:
         raise InputError("Job", obj.Label, "it belongs to no job: make it in one.")
     follow(obj, job)
-    if not _has_shape(job.Stock):
+    if job.Stock is None or shapes.drawn(job.Stock) is None:
         raise InputError("Stock", "none", "give the job a stock.")
-    if not any(_has_shape(model) for model in job.Model.Group):
-        raise InputError("Model", "none", "give the job a model.")
+    shapes.models(job)
     return job
 
 
@@ -52,7 +52,8 @@ def faces_of(base, names, remedy):
     """The faces of an object that are named in Base, in that order. Raises InputError naming Base: with
     `remedy` for what is no face, and for a face that the object has no more, whose name FreeCAD 1.1 marks
     with '?'. The shape is asked once: FreeCAD walks through all of it for each face that it looks up."""
-    faces = base.Shape.Faces
+    shape = shapes.drawn(base)
+    faces = [] if shape is None else shape.Faces
     found = []
     for name in names:
         plain = name.lstrip("?")
@@ -89,8 +90,3 @@ def _has_element(shape, name):
     except Exception:  # FreeCAD's versions raise errors of different kinds
         return False
     return True
-
-
-def _has_shape(thing):
-    shape = getattr(thing, "Shape", None)
-    return shape is not None and not shape.isNull()

@@ -10,6 +10,7 @@ import _patchmill as core
 from _patchmill import InputError
 
 from patchmill.freecad import made_from, tool_controller
+from patchmill.geometry import shapes
 from patchmill.voxels import removal_model
 
 UNDERCUTS = "Scanning with undercuts"
@@ -56,7 +57,7 @@ def input_of(obj):
     tool, feed, plunge_feed, cutting_edge = _cutting(obj.ToolController)
     _check(obj, tool)
     job = made_from.job_of(obj)
-    faces = _faces(obj)
+    faces = _faces(obj, job)
     stock, model = removal_model.job_shapes(job)
     return CopyInput(
         mode=obj.Mode,
@@ -79,11 +80,13 @@ def input_of(obj):
     )
 
 
-def _faces(obj):
-    """The faces in Base. Raises InputError if there is anything else."""
+def _faces(obj, job):
+    """The faces in Base, of the job's model. Raises InputError if there is anything else."""
     faces = []
     for base, names in obj.Base:
-        faces += made_from.faces_of(base, [name for name in names if name], "choose faces, or nothing.")
+        chosen = [name for name in names if name]
+        model = shapes.model_of(job, base) if chosen else None
+        faces += made_from.faces_of(model, chosen, "choose faces, or nothing.") if chosen else []
     return faces
 
 

@@ -16,6 +16,7 @@ import _patchmill as core
 from _patchmill import InputError
 
 from patchmill.freecad import host, kinds, made_from, tool_controller
+from patchmill.geometry import shapes
 from patchmill.operations.base import BallEndOperation
 from patchmill.operations.base import planned, recompute  # noqa: F401  for macros
 from patchmill.path.read_text import path_of
@@ -145,7 +146,7 @@ def _mask(obj):
     return MaskInput(
         use=obj.MaskUse,
         image=obj.MaskImage,
-        loops=[] if obj.MaskImage else curve_loops(obj.MaskCurves),
+        loops=[] if obj.MaskImage else curve_loops(obj.MaskCurves, shapes.drawn),
         invert=obj.MaskInvert,
         width=obj.MaskWidth.Value,
         centre=tuple(obj.MaskCentre)[:2],
@@ -157,7 +158,9 @@ def _mask(obj):
 
 def _face_breps(obj):
     faces: dict = {}  # by object: faces in one text keep the edges that they share, which are no borders
+    job = made_from.job_of(obj)
     for base, names in obj.Base:
+        base = shapes.model_of(job, base)
         found = made_from.faces_of(base, names, "select faces, nothing else.")
         faces.setdefault(base.Name, []).extend(found)
     if not faces:

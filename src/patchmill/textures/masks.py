@@ -54,11 +54,12 @@ def read_grey(filename):
     return grey
 
 
-def curve_loops(objects):
-    """Closed loops of the objects' wires: tuples of points in space. Raises InputError naming MaskCurves."""
+def curve_loops(objects, shape_of):
+    """Closed loops of the objects' wires: tuples of points in space. `shape_of` gives the shape of an object
+    where it is drawn, or None. Raises InputError naming MaskCurves."""
     loops = []
     for obj in objects:
-        wires = getattr(getattr(obj, "Shape", None), "Wires", [])
+        wires = getattr(shape_of(obj), "Wires", [])
         if not wires:
             raise InputError("MaskCurves", obj.Label, "it has no wires: choose sketches or wires.")
         for wire in wires:

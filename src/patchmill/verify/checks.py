@@ -19,6 +19,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.freecad import host
+from patchmill.geometry import shapes
 from patchmill.operations.base import planned
 
 CLEAR, VIOLATED, UNKNOWN = "clear", "violated", "unknown"
@@ -142,7 +143,7 @@ def check_input(operation):
     job = host.PathUtils.findParentJob(operation)
     return CheckInput(
         plan,
-        [model.Shape.exportBrepToString() for model in job.Model.Group],
+        [shape.exportBrepToString() for shape in shapes.models(job)],
         tool_sections(operation),
         tolerance,
         operation.ToolClearance.Value,

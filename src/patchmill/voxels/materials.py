@@ -12,6 +12,8 @@ from dataclasses import dataclass
 
 from _patchmill import InputError
 
+from patchmill.geometry import shapes
+
 OWN = "stock"  # name of the material that no line says anything of
 REMEDY = (
     "give a name, a factor on the feed, and a depth in mm or the name of a solid, such as 'skin 0.6 1.5'."
@@ -48,8 +50,8 @@ def _of_line(line, document, stock):
             raise InputError("Materials", repr(line), "give a depth greater than zero.")
         return Material(name, number, stock, depth)
     found = document.getObject(where) or next(iter(document.getObjectsByLabel(where)), None)
-    shape = getattr(found, "Shape", None)
-    if shape is None or shape.isNull():
+    shape = found and shapes.drawn(found)
+    if shape is None:
         remedy = "there is no object '%s' with a shape: %s" % (where, REMEDY)
         raise InputError("Materials", repr(line), remedy)
     return Material(name, number, shape.exportBrepToString())

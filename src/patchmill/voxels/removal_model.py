@@ -14,6 +14,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
+from patchmill.geometry import shapes
 from patchmill.voxels import materials
 from patchmill.voxels.materials import OWN
 
@@ -235,23 +236,20 @@ def input_of(obj, job, posture):
 
 def job_shapes(job):
     """(stock, part) of a job as BREP texts. Raises InputError naming Stock or Model."""
-    stock = getattr(job.Stock, "Shape", None)
-    if stock is None or stock.isNull():
+    stock = job.Stock and shapes.drawn(job.Stock)
+    if stock is None:
         raise InputError("Stock", "none", "give the job a stock.")
-    shapes = [m.Shape for m in job.Model.Group if hasattr(m, "Shape") and not m.Shape.isNull()]
-    if not shapes:
-        raise InputError("Model", "none", "give the job a model.")
-    return stock.exportBrepToString(), _in_one(shapes).exportBrepToString()
+    return stock.exportBrepToString(), _in_one(shapes.models(job)).exportBrepToString()
 
 
-def _in_one(shapes):
+def _in_one(models):
     """One shape of several. Solids that meet, also in a compound, become one: what lies in two of them would
     count as outside."""
     import Part
 
-    solids = [solid for shape in shapes for solid in shape.Solids]
-    if len(solids) > 1 and sum(len(s.Faces) for s in solids) == sum(len(s.Faces) for s in shapes):
+    solids = [solid for shape in models for solid in shape.Solids]
+    if len(solids) > 1 and sum(len(s.Faces) for s in solids) == sum(len(s.Faces) for s in models):
         boxes = [solid.BoundBox for solid in solids]
         if any(a.intersect(b) for i, a in enumerate(boxes) for b in boxes[:i]):
             return solids[0].multiFuse(solids[1:])
-    return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
+    return models[0] if len(models) == 1 else Part.makeCompound(models)

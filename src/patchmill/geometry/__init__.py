@@ -1,0 +1,4 @@
+"""Shapes and placements of document objects.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""

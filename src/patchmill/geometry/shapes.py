@@ -1,0 +1,75 @@
+"""Shapes of document objects where FreeCAD draws them: with the placements of the bodies and parts that they
+are in, which an object's own Shape does not have; through links; of meshes as solids.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import FreeCAD
+import Part
+from _patchmill import InputError
+
+MESH_TOLERANCE = 1e-3  # mm, of corners that are one
+
+
+def drawn(obj):
+    """The Part.Shape of a document object as it is drawn, or None if it has none."""
+    own = getattr(obj, "Shape", None)
+    shape = own if own is not None else Part.getShape(obj)
+    if shape is None or shape.isNull():
+        return None
+    around = _placement_around(obj)
+    if around.isIdentity():
+        return shape
+    shape = shape.copy()
+    shape.Placement = around.multiply(shape.Placement)
+    return shape
+
+
+def _placement_around(obj):
+    """Placement of the body or part that an object is in, of those that this is in, and so on."""
+    placement, parent = FreeCAD.Placement(), obj.getParentGeoFeatureGroup()
+    while parent is not None:
+        placement = parent.Placement.multiply(placement)
+        parent = parent.getParentGeoFeatureGroup()
+    return placement
+
+
+def models(job):
+    """Shapes of the job's models that have faces: sketches and curves among them bound nothing. Raises
+    InputError naming Model if there is none, or for a mesh that is no closed solid."""
+    found = [_of_model(job, model) for model in job.Model.Group]
+    found = [shape for shape in found if shape is not None and shape.Faces]
+    if not found:
+        raise InputError("Model", "none", "give the job a model.")
+    return found
+
+
+def _of_model(job, model):
+    shape = drawn(model)
+    mesh = getattr(model, "Mesh", None) or getattr(job.Proxy.baseObject(job, model), "Mesh", None)
+    if shape is not None or mesh is None:
+        return shape
+    if not mesh.isSolid():
+        remedy = "the mesh is not closed: repair it, or take it out of the job."
+        raise InputError("Model", model.Label, remedy)
+    shape = Part.Shape()
+    mesh = mesh.copy()
+    mesh.Placement = FreeCAD.Placement()
+    shape.makeShapeFromMesh(mesh.Topology, MESH_TOLERANCE)
+    shape = Part.makeSolid(shape)
+    shape.Placement = model.Placement
+    return shape
+
+
+def model_of(job, base):
+    """The job's model that `base`, an object named in Base, stands for: itself, or the one that
+    was made from it and may have been moved. Raises InputError naming Base for what is not of the job."""
+    if base in job.Model.Group:
+        return base
+    for model in job.Model.Group:
+        original = job.Proxy.baseObject(job, model)
+        if base is original or base is getattr(original, "Tip", None):
+            return model
+    names = ", ".join(model.Label for model in job.Model.Group)
+    remedy = "it is not in the job %s: choose faces of %s." % (job.Label, names)
+    raise InputError("Base", base.Label, remedy)

@@ -1,0 +1,143 @@
+"""What operations take of a document is taken where FreeCAD draws it, and only of the job's own model.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+import FreeCAD  # noqa: E402
+import Mesh  # noqa: E402
+import numpy as np  # noqa: E402
+import Part  # noqa: E402
+import patchmill  # noqa: E402
+from parts import WithDocuments  # noqa: E402
+from patchmill import InputError  # noqa: E402
+from patchmill.freecad import host  # noqa: E402
+from patchmill.geometry import shapes  # noqa: E402
+from patchmill.voxels import materials  # noqa: E402
+
+V = FreeCAD.Vector
+PLACE = FreeCAD.Placement(V(5, 6, 7), FreeCAD.Rotation(V(0, 0, 1), 25))
+
+
+def slope():
+    box = Part.makeBox(16, 12, 4, V(-8, -6, -4))
+    box.rotate(V(), V(0, 1, 0), 20)
+    return box
+
+
+def top(shape):
+    faces = shape.Faces
+    return "Face%d" % (1 + max(range(len(faces)), key=lambda k: faces[k].normalAt(0, 0).z))
+
+
+class DrawnShapes(WithDocuments):
+    def job(self):
+        self.document = FreeCAD.newDocument("drawn")
+        self.part = self.document.addObject("Part::Feature", "Part")
+        self.part.Shape = slope()
+        self.document.recompute()
+        job = host.create_job("Job", [self.part])
+        host.add_ball_end_controller(job, 2.0, 2, 600.0, 1000.0)
+        return job
+
+    def texture(self, job, base):
+        op = patchmill.CurvedTexture.Create("Texture", parentJob=job)
+        op.Base, op.PatchSide = [(base, [top(base.Shape)])], 4
+        return op
+
+    def in_holders(self, kind):
+        """(object, what holds it) of a type in a body, a part, a part in a part, and behind a link."""
+        add = self.document.addObject
+        if kind == "Sketcher::SketchObject":
+            body = add("PartDesign::Body", "Body")
+            yield body.newObject(kind, "InBody"), body
+        outer, inner = add("App::Part", "Outer"), add("App::Part", "Inner")
+        outer.addObject(inner)
+        for holder in (outer, inner):
+            obj = add(kind, "InPart")
+            holder.addObject(obj)
+            yield obj, outer
+        linked, holder, link = add(kind, "Linked"), add("App::Part", "Links"), add("App::Link", "Link")
+        link.LinkedObject = linked
+        holder.addObject(link)
+        yield link, holder
+
+    def test_in_moved_bodies_and_parts_and_behind_links(self):
+        self.job()
+        for kind in ("Sketcher::SketchObject", "Part::Box"):
+            for obj, holder in self.in_holders(kind):
+                target = getattr(obj, "LinkedObject", obj)
+                if kind.startswith("Sketcher"):
+                    target.addGeometry(Part.Circle(V(2, 1, 0), V(0, 0, 1), 3))
+                holder.Placement = PLACE
+                self.document.recompute()
+                shape = shapes.drawn(obj)
+                middle = V(2, 1, 0) if kind.startswith("Sketcher") else V(5, 5, 5)
+                found = shape.BoundBox.Center if kind.startswith("Sketcher") else shape.CenterOfMass
+                self.assertLess((PLACE.multVec(middle) - found).Length, 1e-3, (obj.Name, holder.Name))
+
+    def test_a_material_is_where_its_solid_is_drawn(self):
+        self.job()
+        part, box = (self.document.addObject(kind, "Hard") for kind in ("App::Part", "Part::Box"))
+        part.addObject(box)
+        part.Placement = PLACE
+        self.document.recompute()
+        for name in (box.Name, part.Name):
+            (material,) = materials.of_lines(["hard 0.5 " + name], self.document, "")
+            shape = Part.Shape()
+            shape.importBrepFromString(material.solid)
+            self.assertLess((PLACE.multVec(V(5, 5, 5)) - shape.BoundBox.Center).Length, 1e-3)
+
+    def test_a_mask_is_where_its_curve_is_drawn(self):
+        job = self.job()
+        part, sketch = (self.document.addObject(k, "Mask") for k in ("App::Part", "Sketcher::SketchObject"))
+        sketch.addGeometry(Part.Circle(V(0, 0, 0), V(0, 0, 1), 2))
+        part.addObject(sketch)
+        part.Placement.Base = V(3, 2, 1)
+        op = self.texture(job, job.Model.Group[0])
+        op.MaskUse, op.MaskCurves = "Leave out", [sketch]
+        dimples = patchmill.recompute(op).dimples
+        places = dimples.positions[dimples.states == 0]
+        self.assertLess(np.hypot(places[:, 0] - 3.0, places[:, 1] - 2.0).max(), 2.0)
+
+    def test_base_is_of_the_jobs_model(self):
+        job = self.job()
+        model = job.Model.Group[0]
+        model.Placement.Base = V(3, 0, -10)
+        self.document.recompute()
+        of_model = patchmill.recompute(self.texture(job, model)).dimples.positions
+        of_original = patchmill.recompute(self.texture(job, self.part)).dimples.positions
+        self.assertTrue(np.array_equal(of_model, of_original))
+        other = self.document.addObject("Part::Feature", "Other")
+        other.Shape = slope()
+        with self.assertRaises(InputError) as caught:
+            patchmill.recompute(self.texture(job, other))
+        self.assertEqual(caught.exception.property, "Base")
+
+    def test_a_sketch_or_a_mesh_among_the_models(self):
+        job = self.job()
+        op = self.texture(job, job.Model.Group[0])
+        patchmill.recompute(op)
+        sketch = self.document.addObject("Sketcher::SketchObject", "Sketch")
+        sketch.addGeometry(Part.Circle(V(2, 1, 0), V(0, 0, 1), 3))
+        mesh = self.document.addObject("Mesh::Feature", "Mesh")
+        facets = Mesh.Mesh(Part.makeBox(2, 2, 2, V(20, 0, 0)).tessellate(0.1))
+        mesh.Mesh = facets
+        job.Model.Group = job.Model.Group + [sketch, mesh]
+        self.document.recompute()
+        self.assertTrue(patchmill.check(op).clear, patchmill.check(op).sentence)
+        self.assertAlmostEqual(shapes.models(job)[-1].Volume, 8.0)
+        facets.removeFacets([0])
+        mesh.Mesh = facets
+        with self.assertRaises(InputError) as caught:
+            patchmill.check(op)
+        self.assertEqual(caught.exception.property, "Model")
+
+
+if __name__ == "__main__":
+    unittest.main()
