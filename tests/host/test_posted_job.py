@@ -117,6 +117,34 @@ class PostedJob(WithDocuments):
                 self.refused(other.Label, self.read, job, spoilt.split("\n"))
             self.refused("Program", self.read, job, (text + "G1 X0 Y0 Z-1 F600\n").split("\n"))
 
+    def test_arcs_cycles_and_words_of_other_operations(self):
+        job, (texture,) = self.job("Constant feed")
+        lines = ["G0 Z30", "G0 X40 Y0", "G1 Z20 F10", "G2 X44 Y0 I2 J0 K0 F10", "G3 X44 Y0 Z19 I-2 J0 K0"]
+        lines += ["G1 X46", "G0 Z30", "M62 P3", "G98", "G83 X50 Y5 Z18 R25 Q2 F5", "G80", "M101 P1 Q2"]
+        other = custom(job, lines)
+        for name in ("patchmill_linuxcnc", "patchmill_siemens", "patchmill_heidenhain", "linuxcnc"):
+            if name in ("patchmill_siemens", "patchmill_heidenhain"):
+                other.Gcode = [line for line in lines if line[0] != "M"]
+            _, posted = self.post(job, name)
+            self.assertEqual([one.operation for one in posted], [texture, other], name)
+            self.assertGreater(posted[1].moves, 10)
+            other.Gcode = lines
+        text, _ = self.post(job)
+        for old, new in (
+            ("G2 X44", "G3 X44"),
+            ("I2.000", "I2.020"),
+            ("I-2.000", "I-2.020"),
+            ("Q2.000 ", "Q3.000 "),
+            ("R25.000", "R24.000"),
+            ("M62 P3", "M62 P4"),
+            ("M101", "M102"),
+        ):
+            spoilt = text.replace(old, new)
+            self.assertNotEqual(spoilt, text, old)
+            with self.assertRaises(InputError, msg=old) as caught:
+                self.read(job, spoilt.split("\n"))
+            print(old, "->", caught.exception)
+
     def test_every_offset_is_compared(self):
         job, (texture,) = self.job("Constant feed")
         job.Fixtures = ["G54", "G55"]

@@ -5,8 +5,10 @@ move that is of no operation is refused.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import math
 import re
 
+import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
@@ -16,6 +18,7 @@ from patchmill.operations.base import planned
 from patchmill.verify import posted_milling, posted_texture
 from patchmill.verify.posted_program import COMMENT, PostedProgram, offset_number
 
+OTHER_WORDS = r"M(?!0?[26]$|30$)\d+|G(4|04|10|28|30|43|53|92)(\.\d)?"  # that belong to an operation alone
 COOLANT = {"Flood": "M8", "Mist": "M7"}
 
 
@@ -28,6 +31,9 @@ class _Reading:
         self.dialect, self.half_unit = dialect, half_unit
         self.at = 0  # the move after the last operation
         self.offset = ""
+        self.words = core.program_lines(text, dialect)
+        self.line = 0  # of the first move of the last operation
+        self.due = []  # (operation, first line, its words) that are looked for up to the next operation
 
     def texture(self, op):
         plan = planned(op)
@@ -35,14 +41,29 @@ class _Reading:
         return self._found(op, posted, run)
 
     def other(self, op):
-        told = posted_milling.told_by(op.Path.Commands)
-        if told is None:
-            return posted_milling.unknown(op, posted_milling.CYCLES)
+        commands = op.Path.Commands
+        told = posted_milling.told_by(commands)
         posted, run = posted_milling.find(op, told, self.program, self.half_unit, self.at)
-        return self._found(op, posted, run) if len(told) else posted
+        posted = self._found(op, posted, run) if len(told) else posted
+        if not kind_of(op):
+            self.due += [(op, self.line, command) for command in commands if _has_other_words(command)]
+        return posted
+
+    def words_until(self, line):
+        """Words of operations that move nothing are there before the next operation's first move."""
+        for op, first, command in self.due:
+            wanted = {(command.Name[0], float(command.Name[1:])), *command.Parameters.items()}
+            between = (words for number, words in self.words if first <= number < line)
+            if not any(_holds(words, wanted, self.half_unit) for words in between):
+                said = command.toGCode().strip()
+                remedy = "the program does not have it: use a post-processor that keeps it, or leave it out."
+                raise InputError(op.Label, said, remedy)
+        self.due = []
+        self.line = line
 
     def _found(self, op, posted, run):
-        self._nothing_between(run.first)
+        self.nothing_between(run.first)
+        self.words_until(self.program.line_of(run.first))
         self._require_offset(op, run)
         self._require_tool(op, run)
         self._require_coolant(op, run)
@@ -50,7 +71,7 @@ class _Reading:
         posted.offset = self.offset
         return posted
 
-    def _nothing_between(self, end):
+    def nothing_between(self, end):
         between = np.flatnonzero(self.program.cuts[self.at : end])
         if len(between):
             line = self.program.line_of(self.at + between[0])
@@ -117,7 +138,8 @@ def read_back(text, objects, dialect, half_unit):
         elif is_operation(obj):
             texture = kind_of(obj) == TEXTURE
             posted.append(reading.texture(obj) if texture else reading.other(obj))
-    reading._nothing_between(len(reading.program))
+    reading.nothing_between(len(reading.program))
+    reading.words_until(math.inf)
     textures = [one for one in posted if isinstance(one, posted_texture.PostedTexture)]
     return textures + [one for one in posted if not isinstance(one, posted_texture.PostedTexture)]
 
@@ -126,6 +148,17 @@ def _controller_of(op):
     """The tool controller of an operation, or of the one under dressups; None if there is none."""
     parts = posted_milling.with_those_under(op)
     return next((part.ToolController for part in parts if hasattr(part, "ToolController")), None)
+
+
+def _has_other_words(command):
+    """Whether a command of a path has words that comparing its moves does not look at."""
+    moves = command.Name[:1] == "G" and not set(command.Parameters) <= set("XYZABCIJKFPQRLDHST")
+    return moves or re.fullmatch(OTHER_WORDS, command.Name) is not None
+
+
+def _holds(words, wanted, near):
+    """Whether a block has all the words, given as (letter, value)."""
+    return all(any(w[0] == k and abs(w[1] - v) <= near + 1e-6 for w in words) for k, v in wanted)
 
 
 def is_operation(obj):

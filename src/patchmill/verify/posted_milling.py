@@ -5,6 +5,7 @@ A program with words that are not read (arcs and cycles of other operations) lea
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import re
 from dataclasses import dataclass
 
 import FreeCAD
@@ -17,7 +18,9 @@ from patchmill.verify.posted_program import PostedProgram, other_angles, trimmed
 AXES = "XYZABC"
 MOVES = {"G0": False, "G00": False, "G1": True, "G01": True}  # whether it cuts
 DWELLS = ("G4", "G04")
-UNREAD = ("G2", "G3", "G02", "G03", "G7", "G8")  # arcs; and cycles, which begin so
+ARCS = ("G2", "G3", "G02", "G03")
+MODES = ("G73", "G74", "G81", "G82", "G83", "G85", "G86", "G89", "G91", "G53", "G18", "G19", "G20", "G92")
+NOT_READ = ("G43", "G49", "G61", "G64", "G54", "G55", "G56", "G57", "G58", "G59")  # they move nothing
 SAME_FEED = 1e-3  # of F, or half a mm/min: what a post with few decimals may make of it
 
 
@@ -62,17 +65,14 @@ def angles_in(op):
 def read_back(operation, text, dialect, half_unit):
     """PostedMilling of `operation`, posted as part of `text`, whose numbers are rounded by `half_unit` [mm,
     degrees] at most. Raises InputError naming the operation if the text has another path."""
-    told = told_by(operation.Path.Commands)
-    if told is None:
-        return unknown(operation, CYCLES)
     try:
+        told = told_by(operation.Path.Commands)
         program = PostedProgram(text, dialect)
     except InputError as error:
         return unknown(operation, UNREADABLE % error)
     return find(operation, told, program, half_unit)[0]
 
 
-CYCLES = "its arcs and drilling cycles are not read back"
 UNREADABLE = "the program cannot be read back (%s)"
 
 
@@ -88,22 +88,21 @@ def find(operation, told, program, half_unit, after=0):
 
 
 def _require_feeds(operation, told, program, run):
-    """Every move takes the time that its F says; not looked at where moves that move nothing are missing."""
-    if run.end - run.first != len(told):
-        return
+    """Every move takes the time that its F says."""
     minutes = program.minutes(run.first, run.end)
     before = program.ends[max(run.first - 1, 0) : run.end]
     way = np.linalg.norm(np.diff(before[:, :3], axis=0), axis=1)
     if run.first == 0:
         way = np.concatenate([[np.nan], way])
+    inverse, wanted = told.inverse[run.owners], told.feeds[run.owners]
     with np.errstate(divide="ignore", invalid="ignore"):
-        read = np.where(told.inverse, 1.0 / minutes, np.where(way > 0.0, way / minutes, np.nan))
-    off = np.abs(read - told.feeds) > np.maximum(SAME_FEED * told.feeds, np.where(told.inverse, 2e-3, 0.51))
+        read = np.where(inverse, 1.0 / minutes, np.where(way > 0.0, way / minutes, np.nan))
+    off = np.abs(read - wanted) > np.maximum(SAME_FEED * wanted, np.where(inverse, 2e-3, 0.51))
     if off.any():
         move = int(np.flatnonzero(off)[0])
-        unit = "1/min" if told.inverse[move] else "mm/min"
+        unit = "1/min" if inverse[move] else "mm/min"
         said = "F %.4g %s in line %d" % (read[move], unit, program.line_of(run.first + move))
-        remedy = "the operation has F %.4g there: use another post-processor." % told.feeds[move]
+        remedy = "the operation has F %.4g there: use another post-processor." % wanted[move]
         raise InputError(operation.Label, said, remedy)
 
 
@@ -114,8 +113,10 @@ def unknown(operation, why):
 
 
 def told_by(commands):
-    """posted_program.Told of Path.Command objects, from the first to the last that takes time; None if there
-    are words that are not read."""
+    """posted_program.Told of Path.Command objects, from the first to the last that takes time. Raises
+    InputError for what cannot be read."""
+    if any(command.Name in ARCS or command.Name in MODES for command in commands):
+        return _told_by_reading(commands)
     at = dict.fromkeys(AXES[:3], np.nan) | dict.fromkeys(AXES[3:], 0.0)
     feed, inverse = np.nan, False
     rows, cuts, feeds, modes = [list(at.values())], [False], [np.nan], [False]
@@ -133,6 +134,26 @@ def told_by(commands):
             modes.append(inverse)
         elif name in ("G93", "G94"):
             inverse, feed = name == "G93", np.nan
-        elif name.startswith(UNREAD) and name != "G80":
-            return None
     return trimmed(np.array(rows), np.array(cuts), np.array(feeds), np.array(modes))
+
+
+def _told_by_reading(commands):
+    """The same of paths with arcs, cycles and relative moves: as the reader of programs takes them."""
+    lines, kinds = ["G17 G21 G90 G94", "M3 S60"], [None, None]
+    for command in commands:
+        if re.fullmatch(r"G\d+(\.\d)?", command.Name) and command.Name not in NOT_READ:
+            words = [(k, 60.0 * v if k == "F" else v) for k, v in command.Parameters.items()]
+            if command.Name in ARCS:  # FreeCAD gives three words for a centre, two of them in the plane
+                words = [(k, v) for k, v in words if k not in "IJK" or v != 0.0]
+            lines.append(command.Name + "".join(" %s%.6f" % word for word in words))
+            kinds.append(command.Name)
+    program = PostedProgram("\n".join(lines) + "\n", "linuxcnc")
+    if not len(program):
+        return trimmed(np.zeros((0, 6)), np.zeros(0, bool))
+    line = np.concatenate([s.lines for s in program.sections]) - 1
+    arc = np.array([kind in ARCS for kind in kinds])[line]
+    minutes, ends = program.minutes(0, len(program)), program.ends
+    way = np.concatenate([[np.nan], np.linalg.norm(np.diff(ends[:, :3], axis=0), axis=1)])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        feeds = np.where(way > 0.0, way / minutes, np.nan)
+    return trimmed(ends, program.cuts, feeds, None, np.where(arc, line, -1))

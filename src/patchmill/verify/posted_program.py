@@ -5,12 +5,13 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import _patchmill as core
 import numpy as np
 
 ROUNDED_TWICE = 1e-6  # mm, degrees: posts that take FreeCAD's text of a path round what has six decimals
+CHORD_ERROR = 1e-3  # mm, of arcs as they are read
 ANY_TOOL = core.BallEndMill(1.0, 2)
 COMMENT = re.compile(r"\([^)]*\)|;.*")
 
@@ -19,12 +20,14 @@ COMMENT = re.compile(r"\([^)]*\)|;.*")
 class Told:
     """The moves of an operation from the first to the last that takes time. `ends`: (n, 6) of X Y Z [mm] and
     A B C [degrees], nan where no word said it yet; `cuts`: whether each is a feed move or a dwell; `feeds`:
-    [mm/min, or 1/min where `inverse`], nan where nothing is to be compared."""
+    [mm/min, or 1/min where `inverse`], nan where nothing is to be compared; `arcs`: moves that follow each
+    other with the same number, of 0 or more, are chords of an arc, which others may cut into other chords."""
 
     ends: np.ndarray
     cuts: np.ndarray
     feeds: np.ndarray
     inverse: np.ndarray
+    arcs: np.ndarray
 
     def __len__(self):
         return len(self.cuts)
@@ -33,12 +36,13 @@ class Told:
 @dataclass
 class Run:
     """Where an operation was found: moves `first` to before `end`; `found` of its moves are there at best,
-    all of them if `complete`."""
+    all of them if `complete`. `owners`: for each move of the text the move told that it is, or is of."""
 
     found: int = 0
     first: int = 0
     end: int = 0
     complete: bool = False
+    owners: np.ndarray = None
 
 
 class PostedProgram:
@@ -62,9 +66,9 @@ class PostedProgram:
         near = half_unit + ROUNDED_TWICE
         starts = (self.cuts[after:] == told.cuts[0]) & _same(self.ends[after:], told.ends[0], near)
         for first in after + np.flatnonzero(starts):
-            found, end = _run(told, self.ends[first:], self.cuts[first:], near)
+            found, owners = _run(told, self.ends[first:], self.cuts[first:], near)
             if found > best.found:
-                best = Run(found, int(first), int(first + end), found == len(told))
+                best = Run(found, int(first), int(first + len(owners)), found == len(told), owners)
             if best.complete:
                 break
         return best
@@ -120,32 +124,60 @@ def _same(read, told, near):
 
 
 def _run(told, read, read_cuts, near):
-    """(how many of the told moves are at the beginning of what was read, how many moves they are there)."""
+    """(how many of the told moves are at the beginning of what was read, which of them each read move is)."""
     n = min(len(told), len(read))
     alike = n == len(told) and np.array_equal(read_cuts[:n], told.cuts)
     if alike and np.all(_same(read[:n], told.ends, near)):
-        return n, n
-    at = 0
-    for i, (end, cut) in enumerate(zip(told.ends, told.cuts)):
-        if at < len(read) and read_cuts[at] == cut and _same(read[at], end, near):
-            at += 1
-        elif at == 0 or not _same(read[at - 1], end, 2.0 * near):
-            return i, at
-    return len(told), at
+        return n, np.arange(n)
+    owners, i = [], 0
+    while i < len(told):
+        at = len(owners)
+        if told.arcs[i] >= 0:
+            last = i + int(np.argmax(np.append(told.arcs[i:] != told.arcs[i], True)))
+            chords = _along_arc(told.ends[max(i - 1, 0) : last, :3], read[at:, :3], read_cuts[at:], near)
+            if not chords:
+                return i, np.array(owners, int)
+            owners += [last - 1] * chords
+            i = last
+            continue
+        if at < len(read) and read_cuts[at] == told.cuts[i] and _same(read[at], told.ends[i], near):
+            owners.append(i)
+        elif at == 0 or not _same(read[at - 1], told.ends[i], 2.0 * near):
+            return i, np.array(owners, int)
+        i += 1
+    return i, np.array(owners, int)
 
 
-def trimmed(ends, cuts, feeds=None, inverse=None):
+def _along_arc(chords, read, read_cuts, near):
+    """How many of the read moves go along the chords, from their first point to their last; 0 if they do
+    not."""
+    off = 4.0 * near + 2.5 * CHORD_ERROR
+    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(chords, axis=0), axis=1))])
+    at, gone = chords[0], 0.0
+    for number, (point, cut) in enumerate(zip(read, read_cuts), 1):
+        gone += np.linalg.norm(point - at)
+        at = point
+        there = [np.interp(gone, way, chords[:, axis]) for axis in range(3)]
+        if not cut or np.linalg.norm(point - there) > off or gone > way[-1] + off:
+            return 0
+        if gone >= way[-1] - off and np.abs(point - chords[-1]).max() <= near:
+            return number
+    return 0
+
+
+def trimmed(ends, cuts, feeds=None, inverse=None, arcs=None):
     """Told of moves, from the first to the last that takes time."""
     where = np.flatnonzero(cuts)
     run = slice(where[0], where[-1] + 1) if len(where) else slice(0, 0)
     feeds = np.full(len(cuts), np.nan) if feeds is None else feeds
     inverse = np.zeros(len(cuts), bool) if inverse is None else inverse
-    return Told(ends[run], cuts[run], feeds[run], inverse[run])
+    arcs = np.full(len(cuts), -1) if arcs is None else arcs
+    return Told(ends[run], cuts[run], feeds[run], inverse[run], arcs[run])
 
 
 def other_angles(program, told, half_unit, after):
     """What helps for a path that is not there; where it is but for the rotary axes, those are named."""
-    anywhere = Told(told.ends.copy(), told.cuts, told.feeds, told.inverse)
+    anywhere = replace(told, ends=told.ends.copy())
     anywhere.ends[:, 3:] = np.nan
     run = program.find(anywhere, half_unit, after)
     if not run.complete:
