@@ -84,8 +84,8 @@ void write(const Job& job, const ToolPath& path) {
         "{},{:.4f},{:.4f},{:.4f},{:.6f},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},"
         "{:.8f},{:.8f},{:.8f}\n",
         text.lines[i], move.end.tip.x(), move.end.tip.y(), move.end.tip.z(),
-        contact_azimuth(n).degrees(), dimple.patch, planned, when.time, when.turns, p.x(), p.y(),
-        p.z(), n.x(), n.y(), n.z());
+        sync::contact_azimuth(n).degrees(), dimple.patch, planned, when.time, when.turns, p.x(),
+        p.y(), p.z(), n.x(), n.y(), n.z());
   }
   std::cout << fmt::format("dimples={} moves={} predicted_turns_per_dimple={:.4f}\n", count,
                            path.moves.size(), (last - first) / static_cast<double>(count - 1));
