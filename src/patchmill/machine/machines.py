@@ -17,6 +17,7 @@ import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
 
+from patchmill.system import files
 from patchmill.machine import schema
 
 KEY = r"[A-Za-z0-9][A-Za-z0-9._-]*"
@@ -83,13 +84,18 @@ def names():
     found: set = set()
     for folder in (shipped_folder(), user_folder()):
         if os.path.isdir(folder):
-            found.update(f[:-5] for f in os.listdir(folder) if f.endswith(".json"))
+            found.update(f[:-5] for f in os.listdir(folder) if f.endswith(".json") and is_key(f[:-5]))
     return sorted(found)
 
 
 def own(key):
     """Whether the user has a file of that key, which then stands before a shipped one."""
-    return os.path.isfile(os.path.join(user_folder(), key + ".json"))
+    return is_key(key) and os.path.isfile(os.path.join(user_folder(), key + ".json"))
+
+
+def is_key(key):
+    """Whether it can be the name of a machine file, and of nothing outside the folder."""
+    return isinstance(key, str) and re.fullmatch(KEY, key) is not None
 
 
 def remove(key):
@@ -97,16 +103,19 @@ def remove(key):
     InputError where there is none."""
     if not own(key):
         raise InputError("Machine", key, "only your own machine files can be taken away.")
-    os.remove(os.path.join(user_folder(), key + ".json"))
+    try:
+        os.remove(os.path.join(user_folder(), key + ".json"))
+    except OSError as error:
+        remedy = "it cannot be taken away (%s): change the folder's permissions." % error.strerror
+        raise InputError("Machine", key, remedy) from error
 
 
 def load(key):
     """The Machine of that key. Raises InputError naming the place in the file that is wrong."""
-    for folder in (user_folder(), shipped_folder()):
+    for folder in (user_folder(), shipped_folder()) if is_key(key) else ():
         path = os.path.join(folder, "%s.json" % key)
         if os.path.isfile(path):
-            with open(path, encoding="utf-8") as file:
-                return Machine(key, checked(file.read(), key))
+            return Machine(key, checked(files.read_text(path, "Machine"), key))
     raise InputError("Machine", key, "there is no such machine file; there are: %s." % ", ".join(names()))
 
 
@@ -154,13 +163,15 @@ def store_start_phase(key, degrees):
 def save(key, data):
     """Writes a machine file into the user's folder, if it is sound; returns its path. Raises InputError
     naming the place in it that is wrong, and then leaves the old file as it is."""
-    if not re.fullmatch(KEY, key):
+    if not is_key(key):
         raise InputError("Machine", key, "use letters, digits, points, dashes and underscores for its name.")
     checked(json.dumps(data), key)
     folder = user_folder()
-    os.makedirs(folder, exist_ok=True)
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        remedy = "the folder cannot be made (%s): set PATCHMILL_MACHINES to another one." % error.strerror
+        raise InputError("Machine", folder, remedy) from error
     path = os.path.join(folder, key + ".json")
-    with open(path + ".part", "w", encoding="utf-8") as file:
-        json.dump(data, file, indent=2)
-    os.replace(path + ".part", path)
+    files.write(path, json.dumps(data, indent=2), "Machine")
     return path

@@ -12,6 +12,7 @@ import _patchmill as core
 from _patchmill import InputError
 
 NUMBER = (int, float)
+MOST_SAID = 200  # letters of a wrong value in a message
 DIALECTS = tuple(control["name"] for control in core.controls()) + ("freecad",)
 AXES = ("XYZ", "XYZA", "XYZB", "XYZC", "XYZAB", "XYZAC", "XYZBC")
 
@@ -34,6 +35,13 @@ class Value:
             place.refuse(value, "give a value from %g to %g." % (self.low, self.high))
 
 
+def _is_finite(value):
+    try:
+        return math.isfinite(value)
+    except OverflowError:  # a whole number that no float holds
+        return False
+
+
 class Numbers:
     """A list of `count` finite numbers; with `rising`, the first less than the second; null if allowed."""
 
@@ -45,7 +53,7 @@ class Numbers:
             return
         good = isinstance(value, list) and len(value) == self.count
         good = good and all(isinstance(v, NUMBER) and not isinstance(v, bool) for v in value)
-        if not good or not all(math.isfinite(v) for v in value):
+        if not good or not all(_is_finite(v) for v in value):
             place.refuse(json.dumps(value), "give %d numbers in brackets." % self.count)
         if self.rising and not value[0] < value[1]:
             place.refuse(json.dumps(value), "give the lower limit first.")
@@ -94,7 +102,17 @@ class Place:
         return Place(self.key, self.words + (str(word),))
 
     def refuse(self, value, remedy):
-        raise InputError("Machine file %s: /%s" % (self.key, "/".join(self.words)), value, remedy)
+        said = _said(value)
+        raise InputError("Machine file %s: /%s" % (self.key, "/".join(self.words)), said, remedy)
+
+
+def _said(value):
+    """A value for a message: not pages of it."""
+    try:
+        text = str(value)
+    except ValueError:  # of a whole number with thousands of digits
+        return "a number"
+    return text if len(text) <= MOST_SAID else text[:MOST_SAID] + " ..."
 
 
 def _about(word, known):
@@ -177,6 +195,8 @@ def checked(text, key):
         data = json.loads(text)
     except ValueError as error:
         raise InputError("Machine file %s" % key, "no JSON", str(error)) from error
+    except RecursionError as error:
+        raise InputError("Machine file %s" % key, "no machine", "it is nested too deeply.") from error
     place = Place(key)
     MACHINE.check(place, data)
     rotary = data.get("rotary_axes", [])

@@ -5,13 +5,13 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import functools
 import importlib
-import os
 import re
 import shlex
 
 import numpy as np
 from _patchmill import InputError
 
+from patchmill.system import files
 from patchmill.freecad import host, post_probe
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.base import planned
@@ -31,7 +31,7 @@ def post(job, filename, post_name=None, arguments=None):
     only then does the file appear, whole.
     Raises InputError, leaving no file and an existing one untouched, if an operation is invalid, if the text
     does not hold the plan, or if the tool would gouge or collide (docs/checks.md)."""
-    _require_place(filename)
+    files.require_place(filename)  # before the work, not after it
     post_name = post_name or job.PostProcessor
     arguments = job.PostProcessorArgs if arguments is None else arguments
     words = _split(arguments)
@@ -74,13 +74,6 @@ def _split(arguments):
         return shlex.split(arguments)
     except ValueError as error:
         raise InputError("PostProcessorArgs", repr(arguments), "%s." % error) from error
-
-
-def _require_place(filename):
-    """Raises InputError unless a file of that name can be made: before the work, not after it."""
-    name = os.fspath(filename)
-    if not name or os.path.isdir(name) or not os.access(os.path.dirname(name) or ".", os.W_OK):
-        raise InputError("filename", repr(name), "name a file in a folder that can be written to.")
 
 
 def _active_operations(job):
@@ -204,19 +197,10 @@ def _single_text(job, post_name, arguments):
 
 
 def _write(filename, text):
-    """Writes beside, then renames: there is never half a file."""
-    part = "%s.part" % filename
+    """Writes the program: the old file or the new one is there, whole."""
     try:
-        with open(part, "w", encoding="ascii", newline="\n") as file:
-            file.write(text)
-        os.replace(part, filename)
-    except OSError as error:
-        remedy = "it cannot be written (%s): give another file." % error.strerror
-        raise InputError("filename", repr(str(filename)), remedy) from error
+        files.write(filename, text.encode("ascii"))
     except UnicodeEncodeError as error:
         raise InputError(
             "Label", repr(error.object[error.start : error.end]), "use ASCII letters in labels."
         ) from error
-    finally:
-        if os.path.exists(part):
-            os.unlink(part)

@@ -12,6 +12,7 @@ import shlex
 import _patchmill as core
 from _patchmill import InputError
 
+from patchmill.system import files
 from patchmill.freecad import host
 from patchmill.path.read_text import text_of
 from patchmill.posting import program_header
@@ -81,8 +82,7 @@ class Dialect:
         """FreeCAD 0.20 calls this; "-" writes no file."""
         text = self.program(objects, arguments)
         if filename != "-":
-            with open(filename, "w", encoding="utf-8") as file:
-                file.write(text)
+            files.write(filename, text)
         return text
 
     def processor(self):

@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
 from mpl_toolkits.mplot3d.art3d import Line3DCollection  # noqa: E402
+from patchmill.system import files  # noqa: E402
 
 # One colour per dimple state; readable for colour-blind eyes and in print.
 STATE_COLOURS = {
@@ -75,7 +76,8 @@ def draw_dimples(plan, filename):
         axes.set_xlabel("x of the texture plane [mm]")
         axes.set_ylabel("y [mm]")
     figure.tight_layout()
-    figure.savefig(filename, dpi=110)
+    with files.replacing(filename) as file:
+        figure.savefig(file, format="png", dpi=110)
     plt.close(figure)
     return filename
 
@@ -131,7 +133,8 @@ def draw_path(plan, path, filename):
     side.legend(loc="upper center", bbox_to_anchor=(0.5, -0.25), frameon=False)
     space.set_box_aspect(None, zoom=0.92)
     figure.subplots_adjust(left=0.02, right=0.98, wspace=0.18)
-    figure.savefig(filename, dpi=110)
+    with files.replacing(filename) as file:
+        figure.savefig(file, format="png", dpi=110)
     plt.close(figure)
     return filename
 
@@ -150,6 +153,7 @@ def draw_phase_error(errors, filename):
         % (np.abs(degrees).max(), np.sqrt((degrees**2).mean()))
     )
     figure.tight_layout()
-    figure.savefig(filename, dpi=110)
+    with files.replacing(filename) as file:
+        figure.savefig(file, format="png", dpi=110)
     plt.close(figure)
     return filename

@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib import colors, ticker
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from patchmill.system import files
 
 MICROMETRES = 1000.0  # per mm
 MOST_PIXELS = 1600  # longer sides are thinned out before they are drawn
@@ -142,7 +143,8 @@ def side_by_side(reliefs, titles, step, origin=(0.0, 0.0), exaggeration=1.0, lig
 
 def save(figure, path):
     """Writes a figure as PNG, without the date: the same picture is the same file."""
-    figure.savefig(path, format="png", bbox_inches="tight", metadata={"Software": None})
+    with files.replacing(path) as file:
+        figure.savefig(file, format="png", bbox_inches="tight", metadata={"Software": None})
 
 
 def _checked(height, step):

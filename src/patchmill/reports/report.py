@@ -12,6 +12,7 @@ import os
 
 import numpy as np
 
+from patchmill.system import files
 from patchmill.reports import pictures, relief_report
 
 
@@ -140,12 +141,11 @@ def write_report(posted, plan, gcode, folder, simulated=None):
         names.update({k: name for k, (name, _) in drawn.items()})
         captions.update({k: caption for k, (_, caption) in drawn.items()})
     json_name = os.path.join(folder, "report.json")
-    with open(json_name, "w", encoding="utf-8") as file:
-        json.dump(data, file, indent=1)
+    files.write(json_name, json.dumps(data, indent=1))
     html_name = os.path.join(folder, "report.html")
-    with open(html_name, "w", encoding="utf-8") as file:
-        marks = list(simulated.rows()) if simulated else []
-        file.write(_page(data, {k: os.path.basename(v) for k, v in names.items()}, captions, marks))
+    marks = list(simulated.rows()) if simulated else []
+    page = _page(data, {k: os.path.basename(v) for k, v in names.items()}, captions, marks)
+    files.write(html_name, page)
     return [json_name, html_name] + list(names.values())
 
 
@@ -201,14 +201,15 @@ def _table(rows):
 def _page(data, images, captions, marks):
     figures = "\n".join(
         '<figure><img src="%s" alt="%s"><figcaption>%s</figcaption></figure>'
-        % (images[k], k, html.escape(captions[k]))
+        % (html.escape(images[k]), k, html.escape(captions[k]))
         for k in captions
     )
     simulated = "<h2>The texture before it is cut</h2>%s" % _table(marks) if marks else ""
+    title = html.escape(data["program"])
     unchecked = "".join("<li>%s</li>" % html.escape(t) for t in data["not_checked"])
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>%s</title>'
         "<style>%s</style></head><body><h1>%s</h1>\n%s\n%s\n%s\n"
         "<h2>Not checked</h2><ul>%s</ul></body></html>\n"
-        % (data["program"], _STYLE, data["program"], _table(_rows(data)), simulated, figures, unchecked)
+        % (title, _STYLE, title, _table(_rows(data)), simulated, figures, unchecked)
     )

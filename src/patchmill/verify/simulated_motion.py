@@ -10,8 +10,11 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
+from patchmill.system import files
 from patchmill.machine import machines
 from patchmill.textures import tool_posture
+from patchmill.verify import posted_texture
+from patchmill.verify.posted_program import PostedProgram
 
 
 def motion_of(plan, path, program, dialect, machine, samples):
@@ -77,13 +80,18 @@ def _recorded(plan, samples):
 
 def read_program(plan, filename, dialect):
     """The ToolPath of the section of a G-code file that holds the plan. Raises InputError naming Program."""
-    try:
-        with open(filename, encoding="utf-8") as file:
-            text = file.read()
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError("Program", filename, "it could not be read: %s." % error) from error
+    text = files.read_text(filename, "Program", other="latin-1")
     best, found = None, -1
     half_unit = 0.5 * 10.0**-plan.input.decimals
+    program = PostedProgram(text, dialect)
+    run = program.find(posted_texture.told_by(plan), half_unit)
+    if run.complete:  # also between other operations of its tool
+        section = program.part(run.first, run.end, plan.input.tool)
+        if plan.posture is not None:
+            return tool_posture.read_back(section, plan.posture, plan.machine, half_unit)[2]
+        path = section.path
+        core.match_plan(path, plan.path, half_unit)
+        return path
     for section in core.read_gcode(text, plan.input.tool, dialect, rotary=plan.posture is not None):
         path = section.path
         if plan.posture is None:

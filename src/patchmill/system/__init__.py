@@ -1,0 +1,4 @@
+"""What PatchMill does with the operating system.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""

@@ -1,0 +1,149 @@
+"""Files that are there whole: the old one or the new one, whatever happens between. Every file that PatchMill
+writes is written here.
+
+    with files.replacing("texture.ngc", "filename") as file:      # binary, to write to
+        file.write(b"M2")
+
+It is written without a name, or under one that nobody can foresee, in the folder where it is to be; synced;
+given the mode and owner of what it replaces; then put in its place. A name that is a symbolic link goes on
+being one: the file is written where it points.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import contextlib
+import os
+import secrets
+import stat
+
+from _patchmill import InputError
+
+
+def require_place(filename, name="filename"):
+    """The path at which a file of that name is to be written, links followed. Raises InputError naming `name`
+    if it cannot be: no folder, a read-only file, a device, a pipe."""
+    asked = os.fspath(filename)
+    try:
+        path = os.path.realpath(asked)
+        there = os.path.lexists(path) and os.stat(path)
+        folder = os.path.dirname(path)
+        good = asked and os.path.isdir(folder) and os.access(folder, os.W_OK)
+    except (OSError, ValueError) as error:
+        remedy = "there can be no such file (%s): give another name." % error
+        raise InputError(name, repr(asked), remedy) from error
+    if not good or os.path.isdir(path) or len(os.path.basename(path).encode()) > 255:
+        raise InputError(name, repr(asked), "name a file in a folder that can be written to.")
+    if there and not stat.S_ISREG(there.st_mode):
+        raise InputError(name, repr(asked), "it is a device or a pipe, not a file: name another one.")
+    if there and not (there.st_mode & 0o222 and os.access(path, os.W_OK)):
+        raise InputError(name, repr(asked), "the file is read-only: name another one.")
+    return path
+
+
+@contextlib.contextmanager
+def replacing(filename, name="filename"):
+    """A binary file whose content takes the place of `filename` when the block ends without an error; else
+    nothing is changed and nothing left. Raises InputError naming `name` if it cannot be written."""
+    try:
+        path = require_place(filename, name)
+        file = _unnamed(os.path.dirname(path))
+        try:
+            with file:
+                yield file
+                file.flush()
+                _like(file.fileno(), path)
+                os.fsync(file.fileno())
+                _put(file, path)
+        finally:
+            if isinstance(file.name, str):
+                with contextlib.suppress(FileNotFoundError):
+                    os.unlink(file.name)
+        _sync_folder(os.path.dirname(path))
+    except OSError as error:
+        remedy = "it cannot be written (%s): give another file." % (error.strerror or error)
+        raise InputError(name, repr(str(filename)), remedy) from error
+
+
+def write(filename, content, name="filename"):
+    """Writes text, as UTF-8, or bytes. As replacing()."""
+    with replacing(filename, name) as file:
+        file.write(content.encode("utf-8") if isinstance(content, str) else content)
+
+
+def read_text(filename, name="filename", most=1 << 30, other=None):
+    """The text of a file, of at most so many bytes, without a byte order mark; what is no UTF-8 is of the
+    encoding `other`, if given. Raises InputError naming `name` if it cannot be read."""
+    try:
+        with open(filename, "rb") as file:
+            content = file.read(most + 1)
+        if len(content) <= most:
+            return _decoded(content, other)
+        remedy = "it has more than %d bytes: give a smaller file." % most
+    except OSError as error:
+        remedy = "it cannot be read (%s): give another file." % (error.strerror or error)
+    except UnicodeDecodeError as error:
+        remedy = "byte %d is no UTF-8: save the file as UTF-8." % error.start
+    except ValueError:
+        remedy = "there can be no such file: give another name."
+    raise InputError(name, repr(str(filename)), remedy)
+
+
+def _decoded(content, other):
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        if other is None:
+            raise
+        return content.decode(other)
+
+
+def _unnamed(folder):
+    """An open file in `folder` that has no name; where file systems cannot, one that nobody can foresee."""
+    if hasattr(os, "O_TMPFILE") and os.path.isdir("/proc/self/fd"):
+        with contextlib.suppress(OSError):
+            return open(os.open(folder, os.O_TMPFILE | os.O_RDWR | os.O_CLOEXEC, 0o600), "w+b")
+    return open(_foreign_name(folder), "x+b", opener=lambda path, flags: os.open(path, flags, 0o600))
+
+
+def _foreign_name(folder):
+    return os.path.join(folder, ".patchmill-%s" % secrets.token_hex(12))
+
+
+def _like(descriptor, path):
+    """Mode and owner of the file that is replaced; of a new one as the user's mask has it."""
+    try:
+        before = os.stat(path)
+    except FileNotFoundError:
+        mask = os.umask(0)
+        os.umask(mask)
+        os.fchmod(descriptor, 0o666 & ~mask)
+        return
+    with contextlib.suppress(PermissionError):  # only root gives files away
+        os.fchown(descriptor, before.st_uid, before.st_gid)
+    os.fchmod(descriptor, stat.S_IMODE(before.st_mode) & 0o777)
+
+
+def _put(file, path):
+    """Puts the file in its place at once."""
+    if isinstance(file.name, str):
+        os.replace(file.name, path)
+        return
+    beside = _foreign_name(os.path.dirname(path))
+    root = os.open("/", os.O_RDONLY)  # with a folder given, Python follows the link to the open file
+    try:
+        os.link("/proc/self/fd/%d" % file.fileno(), beside, src_dir_fd=root, follow_symlinks=True)
+        os.replace(beside, path)
+    finally:
+        os.close(root)
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(beside)
+
+
+def _sync_folder(folder):
+    """So that the name lasts, too; where folders cannot be synced, it is done later."""
+    with contextlib.suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
