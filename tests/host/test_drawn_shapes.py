@@ -119,6 +119,27 @@ class DrawnShapes(WithDocuments):
             patchmill.recompute(self.texture(job, other))
         self.assertEqual(caught.exception.property, "Base")
 
+    def test_a_solid_that_is_inside_out(self):
+        job = self.job()
+        op = self.texture(job, job.Model.Group[0])
+        self.part.Shape = slope().reversed()
+        with self.assertRaises(InputError) as caught:
+            patchmill.recompute(op)
+        self.assertEqual(caught.exception.property, "Model")
+        self.assertIn("inside out", str(caught.exception))
+
+    def test_a_bit_with_a_shape_file_of_its_own(self):
+        self.job()
+        ball = Part.makeCylinder(1, 20, V(0, 0, 1)).fuse(Part.makeSphere(1, V(0, 0, 1)))
+        for shape, kind in ((ball.removeSplitter(), "ballend"), (Part.makeCylinder(1, 20), "mine")):
+            bit = self.document.addObject("Part::Feature", "Bit")
+            bit.addProperty("App::PropertyString", "BitShape").BitShape = "/somewhere/Mine.fcstd"
+            bit.addProperty("App::PropertyLength", "Diameter").Diameter = 2.0
+            bit.Shape = shape
+            self.assertEqual(host.tool_kind(bit), kind)
+            bit.Diameter = 3.0
+            self.assertEqual(host.tool_kind(bit), "mine")
+
     def test_a_sketch_or_a_mesh_among_the_models(self):
         job = self.job()
         op = self.texture(job, job.Model.Group[0])

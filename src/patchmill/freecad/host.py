@@ -17,6 +17,7 @@ import Path
 VERSION = tuple(int(v) for v in FreeCAD.Version()[:2])
 
 from patchmill.freecad import hooks  # noqa: E402
+from patchmill.geometry import shapes  # noqa: E402
 import PathScripts.PathUtils as PathUtils  # noqa: E402  the same name in all versions
 
 if VERSION >= (0, 21):
@@ -162,16 +163,15 @@ def make_ball_end_mill(diameter_mm, flutes, label="Ball end mill"):
 
 
 def tool_kind(bit):
-    """Kind of cutter in lower case ('ballend', 'endmill', ...), '' if FreeCAD does not say."""
+    """Kind of cutter in lower case ('ballend', 'endmill', ...), also by its shape; '' if nothing says."""
     kind = getattr(bit, "ShapeName", "") or getattr(bit, "ShapeType", "")
     if not kind:
         kind = os.path.splitext(os.path.basename(getattr(bit, "BitShape", "")))[0]
-    return kind.lower()
+    return shapes.kind_of_bit(kind.lower(), bit)
 
 
 def preferred_post():
-    """Name of the post-processor that the user has set as FreeCAD's default; '' if none is. A new job takes
-    the first of the list then, which is nobody's choice."""
+    """The post-processor set as FreeCAD's default, else '': the first of the list is nobody's choice."""
     return PathPreferences.defaultPostProcessor()
 
 

@@ -9,6 +9,7 @@ import Part
 from _patchmill import InputError
 
 MESH_TOLERANCE = 1e-3  # mm, of corners that are one
+KINDS = ("ballend", "bullnose", "chamfer", "dovetail", "drill", "endmill", "probe", "reamer", "slittingsaw")
 
 
 def drawn(obj):
@@ -47,6 +48,9 @@ def models(job):
 def _of_model(job, model):
     shape = drawn(model)
     mesh = getattr(model, "Mesh", None) or getattr(job.Proxy.baseObject(job, model), "Mesh", None)
+    if shape is not None and any(solid.Volume < 0.0 for solid in shape.Solids):
+        remedy = "it is inside out, its faces look into it: reverse the shape, or make the solid again."
+        raise InputError("Model", model.Label, remedy)
     if shape is not None or mesh is None:
         return shape
     if not mesh.isSolid():
@@ -59,6 +63,20 @@ def _of_model(job, model):
     shape = Part.makeSolid(shape)
     shape.Placement = model.Placement
     return shape
+
+
+def kind_of_bit(kind, bit):
+    """What a tool bit is: FreeCAD's kinds by name; one with a shape file of its own is a ball end mill if it
+    ends in a ball of its diameter."""
+    radius = float(getattr(bit, "Diameter", 0.0)) / 2.0
+    shape = getattr(bit, "Shape", None)
+    if kind in KINDS or shape is None or shape.isNull() or not radius > 0.0:
+        return kind
+    balls = [face.Surface for face in shape.Faces if type(face.Surface).__name__ == "Sphere"]
+    lowest = shape.BoundBox.ZMin
+    near = 1e-3 * radius
+    ends = any(abs(b.Radius - radius) < near and abs(b.Center.z - radius - lowest) < near for b in balls)
+    return "ballend" if ends else kind
 
 
 def model_of(job, base):
