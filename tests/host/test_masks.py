@@ -3,14 +3,17 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import os
 import pathlib
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy as np
 import Part
 import patchmill
+from patchmill import InputError
 from patchmill.textures import masks
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -36,6 +39,20 @@ class Masks(WithDocuments):
         plan = patchmill.recompute(self.operation)
         self.assertEqual(sum(plan.counts.values()), len(plan.dimples))
         return plan.places()[plan.dimples.states == 0], plan
+
+    def test_a_large_picture_is_refused_before_it_is_read(self):
+        from PIL import Image
+
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        name = os.path.join(folder.name, "large.png")
+        Image.new("1", (8000, 4000)).save(name)
+        self.assertLess(os.path.getsize(name), 1000000)
+        with mock.patch("matplotlib.image.imread", side_effect=MemoryError):
+            with self.assertRaises(InputError) as caught:
+                masks.read_grey(name)
+        self.assertEqual(caught.exception.property, "MaskImage")
+        self.assertIn("8000 x 4000 pixels", str(caught.exception))
 
     def test_a_picture_leaves_out(self):
         pixels = np.ones((20, 20))

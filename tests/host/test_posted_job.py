@@ -19,7 +19,7 @@ import patchmill  # noqa: E402
 from parts import WithDocuments  # noqa: E402
 from patchmill import InputError  # noqa: E402
 from patchmill.freecad import host  # noqa: E402
-from patchmill.verify import posted_job  # noqa: E402
+from patchmill.verify import checks, posted_job  # noqa: E402
 
 V = FreeCAD.Vector
 ARGUMENTS = "--no-header --precision=3"
@@ -172,10 +172,23 @@ class PostedJob(WithDocuments):
 
     def test_what_no_program_can_be_made_of(self):
         job, (texture,) = self.job("Constant feed")
-        self.refused("PostProcessorArgs", patchmill.post, job, self.program, None, "--precision='3")
+        for arguments in ("--precision='3", "--precision=many", "--precision -1", "--precision"):
+            self.refused("PostProcessorArgs", patchmill.post, job, self.program, None, arguments)
         self.refused("PostProcessor", patchmill.post, job, self.program, "os; import antigravity")
         job.Fixtures = []
         self.refused("Fixtures", patchmill.post, job, self.program)
+
+    def test_going_down_nobody_knows_where(self):
+        job, (texture,) = self.job("Constant feed")
+        text, posted = self.post(job, "linuxcnc")
+        self.assertTrue(posted[0].check.clear)
+        line = next(line for line in text.split("\n") if line.startswith("G0") and "X" not in line)
+        for low in (line.split("Z")[0] + "Z1.000", "G0 X0 Z-4.000"):
+            (again,) = self.read(job, text.replace(line, low).split("\n"))
+            self.assertLess(again.blind, 1.1)
+            with self.assertRaises(InputError) as caught:
+                checks.require_clear(texture, again.path, again.unplaced, blind=again.blind)
+            self.assertIn("Unknown", str(caught.exception))
 
     def test_coolant_that_is_lost(self):
         job, (texture,) = self.job("Constant feed")

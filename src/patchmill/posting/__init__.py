@@ -63,7 +63,7 @@ def post(job, filename, post_name=None, arguments=None):
     posted = posted_job.read_back(text, objects, own.dialect if own else "linuxcnc", half_unit)
     for one in posted:
         if isinstance(one, PostedTexture):
-            one.check = checks.require_clear(one.operation, one.path, one.unplaced)
+            one.check = checks.require_clear(one.operation, one.path, one.unplaced, blind=one.blind)
     _write(filename, text)
     return posted
 
@@ -135,10 +135,12 @@ def _decimals(post_name, arguments, plans):
     machine = next((plan.machine for plan in plans if plan.machine is not None), None)
     precision = own.precision(shlex.join(arguments), machine) if own else 3
     for i, argument in enumerate(arguments):
-        if argument.startswith("--precision="):
-            precision = int(argument.split("=", 1)[1])
-        elif argument == "--precision" and i + 1 < len(arguments):
-            precision = int(arguments[i + 1])
+        said = argument.split("=", 1)[1] if argument.startswith("--precision=") else ""
+        if argument == "--precision":
+            said = arguments[i + 1] if i + 1 < len(arguments) else "none"
+        if said and not re.fullmatch(r"\d\d?", said, re.ASCII):
+            raise InputError("PostProcessorArgs", argument, "give a number of decimals, such as 3.")
+        precision = int(said) if said else precision
     return precision
 
 

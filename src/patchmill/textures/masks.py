@@ -4,6 +4,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import os
+import warnings
 from dataclasses import dataclass, field
 
 import _patchmill as core
@@ -12,6 +13,8 @@ from _patchmill import InputError
 
 LEAVE_OUT, DENSITY, DEPTH = USES = ("Leave out", "Density", "Depth")
 CURVE_DEFLECTION = 0.01  # mm
+MOST_PIXELS = 10000000  # of a picture
+BYTES_PER_PIXEL = 120  # while it is read
 
 
 @dataclass
@@ -36,6 +39,7 @@ def read_grey(filename):
 
     if not os.path.isfile(filename):
         raise InputError("MaskImage", filename, "there is no such file: choose a picture.")
+    _require_few_pixels(filename)
     try:
         pixels = image.imread(filename)
     except (OSError, SyntaxError, ValueError, ImportError) as error:
@@ -52,6 +56,26 @@ def read_grey(filename):
     if channels in (2, 4):
         grey = 1.0 - pixels[..., -1] * (1.0 - grey)
     return grey
+
+
+def _require_few_pixels(filename):
+    """Raises InputError naming MaskImage for a picture that would take more memory than it is worth, however
+    small its file is."""
+    from PIL import Image
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # Pillow's own, of pictures that are too large
+            with Image.open(filename) as picture:
+                columns, rows = picture.size
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
+        raise InputError("MaskImage", filename, "it cannot be read (%s): save it as PNG." % error) from error
+    if rows * columns > MOST_PIXELS:
+        remedy = "it would take %.1f GB: scale it down to %d million pixels, one for each dimple does."
+        takes = rows * columns * BYTES_PER_PIXEL / 1e9
+        raise InputError(
+            "MaskImage", "%d x %d pixels" % (columns, rows), remedy % (takes, MOST_PIXELS // 1000000)
+        )
 
 
 def curve_loops(objects, shape_of):

@@ -12,6 +12,7 @@ not a pass. Method and limits: docs/checks.md.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import math
 from dataclasses import dataclass, field
 
 import _patchmill as core
@@ -204,10 +205,20 @@ def _planned_sink(plan, part):
     return max(0.0, float(np.max(below)))
 
 
-def require_clear(operation, path, first_move=0, progress=None):
-    """CheckResult of a path that is to be posted. Raises InputError naming PostGouging if it cuts or
-    touches what it must not, and if nothing is known, unless the operation's PostGouging allows it."""
+def _top(operation):
+    """Height of the highest place of the job's model [mm]."""
+    job = host.PathUtils.findParentJob(operation)
+    return max(shape.BoundBox.ZMax for shape in shapes.models(job))
+
+
+def require_clear(operation, path, first_move=0, progress=None, blind=math.inf):
+    """CheckResult of a path that is to be posted; `blind`: how low it goes [mm] before X and Y are known.
+    Raises InputError naming PostGouging if it cuts or touches what it must not, and if nothing is known,
+    unless the operation's PostGouging allows it."""
     result = check(operation, path, first_move, progress)
+    if blind < _top(operation) and result.outcome != VIOLATED:
+        result.outcome = UNKNOWN
+        result.reason = "the tool goes down to Z%.3f before X and Y are known." % blind
     if result.clear or operation.PostGouging:
         return result
     raise InputError(

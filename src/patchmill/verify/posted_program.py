@@ -4,6 +4,7 @@ in the order in which it was posted: which moves are its own, with which tool, u
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import math
 import re
 from dataclasses import dataclass, replace
 
@@ -49,6 +50,7 @@ class PostedProgram:
     """The moves of a program, all sections in one. Raises InputError for words that are not read."""
 
     def __init__(self, text, dialect):
+        self.text, self.dialect = text, dialect
         self.sections = core.read_gcode(text, ANY_TOOL, dialect, rotary=True)
         self.begins = np.cumsum([0] + [len(s.path) for s in self.sections])
         self.ends = _stacked([np.hstack([s.path.tips, np.degrees(s.angles[1:])]) for s in self.sections], 6)
@@ -88,6 +90,19 @@ class PostedProgram:
     def line_of(self, move):
         number, index = self.section_of(move)
         return int(self.sections[number].lines[index])
+
+    def lowest_blind(self, lines):
+        """The lowest Z [mm] that blocks of these lines name before X and Y were both named in them; infinite
+        if none."""
+        wanted, known, lowest = set(lines), set(), math.inf
+        for number, words in core.program_lines(self.text, self.dialect) if wanted else ():
+            if number not in wanted:
+                continue
+            named = dict(words)
+            known |= named.keys() & {"X", "Y"}
+            if "Z" in named and len(known) < 2:
+                lowest = min(lowest, named["Z"])
+        return lowest
 
     def offset_at(self, move):
         """Number of the work offset in force (1: G54), None where the text has said none."""

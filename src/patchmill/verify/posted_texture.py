@@ -27,6 +27,7 @@ class PostedTexture:
     unplaced: int = 0  # moves at the beginning of the path that start nobody knows where
     check: object = None  # the checks.CheckResult of gouge and collision
     offset: str = ""  # work offset of this copy
+    blind: float = math.inf  # lowest Z [mm] that is told while nobody knows X and Y
 
 
 def told_by(plan):
@@ -69,7 +70,9 @@ def find(operation, plan, told, program, after):
             operation.Label, said, "the post-processor changed the path: use another one."
         )
     _check_spindle(plan, path)
-    return PostedTexture(operation, path, match, _errors(operation, plan, path), section.unplaced), run
+    blind = program.lowest_blind(section.lines[: section.unplaced])
+    errors = _errors(operation, plan, path)
+    return PostedTexture(operation, path, match, errors, section.unplaced, blind=blind), run
 
 
 def _errors(op, plan, path):

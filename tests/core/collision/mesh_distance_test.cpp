@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/collision/mesh_distance.h"
 
-#include "patchmill/collision/section_distance.h"
 #include "patchmill/geometry/error.h"
 
 #include <gtest/gtest.h>
