@@ -139,7 +139,12 @@ def _parser(post, precision, modal, line_numbers):
 
 
 def _active(obj):
-    return getattr(obj, "Active", True) and getattr(getattr(obj, "Base", None), "Active", True)
+    """Whether an object and all that it is a dressup on are switched on."""
+    while hasattr(obj, "Path"):
+        if not getattr(obj, "Active", True):
+            return False
+        obj = getattr(obj, "Base", None)
+    return True
 
 
 def _is_own(obj):
