@@ -56,7 +56,7 @@ TEST(ProgramUnits, AnArcThatIsPassedThroughKeepsItsFeed) {
 
 TEST(ProgramUnits, AFeedAloneInItsBlockIsThatOfTheMovesAfterIt) {
   for (const Control* control : controls()) {
-    const std::string text = written(*control, "F7.25\nX3\nG1 X5\n");  // mm/s
+    const std::string text = written(*control, "F7.25\nG1 X3\nG1 X5\n");  // mm/s
     EXPECT_NEAR(number_after(text, "F"), 435.0, 1e-6) << control->title << "\n" << text;
   }
 }

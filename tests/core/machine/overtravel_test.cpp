@@ -1,4 +1,4 @@
-// How far linear axes would leave their limits, beyond either end.
+// What a path asks of linear axes beyond their limits, at either end, and of the rate of rotary ones.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/machine/joint_plan.h"
 
@@ -33,6 +33,20 @@ TEST(Overtravel, IsFoundBeyondEitherEndOfEachAxis) {
       place[k] = up ? machine.highest[k] : machine.lowest[k];
       EXPECT_EQ(axis_load(machine, straight_to(place)).overtravel, 0.0);
     }
+}
+
+TEST(AxisRate, IsAFractionOfTheLimitOfItsAxis) {
+  Kinematics machine;
+  RotaryAxis axis;
+  axis.letter = 'C';
+  axis.direction = Vec3::UnitZ();
+  axis.rate = 2.0;
+  machine.rotary = {axis};
+  PosturePath posture = straight_to(Vec3(1.0, 0.0, 0.0));  // a tenth of a second
+  posture.joints[1][0] = 0.1;
+  const AxisLoad load = axis_load(machine, posture);
+  EXPECT_NEAR(load.rate, 0.5, 1e-12);
+  EXPECT_EQ(load.rate_axis, 'C');
 }
 
 }  // namespace
