@@ -22,6 +22,7 @@ void bind_errors(py::module_& m);
 void bind_path(py::module_& m);
 void bind_patch(py::module_& m);
 void bind_texture(py::module_& m);
+void bind_atlas(py::module_& m);
 void bind_matsuda(py::module_& m);
 void bind_brep(py::module_& m);
 void bind_sync(py::module_& m);

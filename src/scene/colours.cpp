@@ -61,6 +61,8 @@ Rgba state_colour(patch::DimpleState state) {
       return 0x882255ff;
     case patch::DimpleState::OffNet:
       return 0x909090ff;
+    case patch::DimpleState::Crowded:
+      return 0x44aa99ff;
   }
   return 0x000000ff;
 }

@@ -118,9 +118,9 @@ class TextureCommands(driver.BlockTest):
     def test_an_error_is_a_sentence_at_its_field_and_goes_when_mended(self):
         _, panel = self.begin()
         rows = panel.page.properties.rows
-        rows["PatchSide"].editor.setValue(500)
+        rows["PatchSide"].editor.setValue(20000)
         self.assertTrue(driver.wait(lambda: panel.error is not None))
-        self.assertIn("choose a smaller side", rows["PatchSide"].error.text())
+        self.assertIn("10000", rows["PatchSide"].error.text())
         panel.accept()
         driver.rest(0.5)
         self.assertTrue(driver.panel_open(), "OK must not close a panel whose texture cannot be made")

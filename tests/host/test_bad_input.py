@@ -39,8 +39,8 @@ def spacing_nan(job, operation):
     operation.Spacing = float("nan")
 
 
-def patch_larger_than_face(job, operation):
-    operation.PatchSide = 200
+def patch_larger_than_any(job, operation):
+    operation.PatchSide = 20000
 
 
 def speed_zero(job, operation):
@@ -78,7 +78,7 @@ CASES = {
     edge_instead_of_face: "Base",
     spacing_zero: "Spacing",
     spacing_nan: "Spacing",
-    patch_larger_than_face: "PatchSide",
+    patch_larger_than_any: "PatchSide",
     speed_zero: "SpindleSpeed",
     feed_too_small: "Feed",
     no_flutes: "Flutes",

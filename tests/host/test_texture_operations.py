@@ -148,10 +148,17 @@ class TheDirection(WithDocuments):
         self.assertLess((operation.FoundDirection - wanted).Length, 1e-9)
         self.assertAlmostEqual(operation.SpacingGreatest.Value, 0.5, 9)
 
-    def test_of_a_whole_cylinder_is_refused(self):
-        document, operation = job_on(Part.makeCylinder(10, 20), "Face1")
+    def test_of_a_whole_cylinder_is_chosen_and_said(self):
+        lying = Part.makeCylinder(10, 20, V(), V(1, 0, 0))
+        document, operation = job_on(lying, "Face1")
         operation.AutoDirection = True
-        self.assert_refused(operation, "AutoDirection")
+        plan = patchmill.recompute(operation)
+        self.assertGreater(plan.counts["cut"], 500)
+        self.assertEqual(operation.FoundDirection, V(0, 0, -1))  # as it is given
+        self.assertIn("look to all sides alike", operation.Remarks)
+        standing = Part.makeCylinder(10, 20).Faces[0].exportBrepToString()
+        found = core.seen_best([standing], (0.0, 0.0, -1.0))  # from where nothing of it is seen
+        self.assertLess(abs(found["direction"][2]), 1e-9)
 
 
 class Faces(WithDocuments):

@@ -3,6 +3,8 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import html
+
 import _patchmill as core
 
 from patchmill_gui.forms.widgets import translate
@@ -40,7 +42,8 @@ def placed_summary(placed):
     head = translate("{} dimples in {} patches").format(
         grouped(counts["cut"]), grouped(len(placed.free or placed.division))
     )
-    return "<b>%s</b><br>%s" % (head, _counts(counts))
+    lines = ["<b>%s</b>" % head, _counts(counts), *map(html.escape, placed.remarks)]
+    return "<br>".join(lines)
 
 
 def planned_summary(planned):

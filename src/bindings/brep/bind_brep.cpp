@@ -33,9 +33,8 @@ py::object place_dimples(const FaceSampler& sampler, const patch::PatchDivision&
     const patch::SurfaceSampler sample = [&](const std::vector<Vec2>& places) {
       return sampler.sample(places);
     };
-    dimples =
-        lattice ? patch::sample_patches(division, plane, lattice->place_of, sample, surface, report)
-                : patch::sample_patches(division, plane, sample, surface, report);
+    dimples = lattice ? patch::sample_patches(division, plane, *lattice, sample, surface, report)
+                      : patch::sample_patches(division, plane, sample, surface, report);
   }
   return dimples ? py::cast(std::move(*dimples)) : py::none();
 }
@@ -86,6 +85,23 @@ void bind_brep(py::module_& m) {
       "facing", [](const std::vector<std::string>& breps) { return facing(faces_of(breps)); },
       py::arg("breps"), py::call_guard<py::gil_scoped_release>(),
       "Unit vector to the side from which the faces look largest.");
+  m.def(
+      "seen_best",
+      [](const std::vector<std::string>& breps, const Vec3& preferred) {
+        SeenBest found;
+        {
+          const py::gil_scoped_release release;
+          found = seen_best(faces_of(breps), preferred);
+        }
+        py::dict d;
+        d["direction"] = found.direction;
+        d["even"] = found.even;
+        return d;
+      },
+      py::arg("breps"), py::arg("preferred"),
+      "The direction along which the faces look largest, and whether they look to all sides alike, "
+      "so "
+      "that `preferred` or an axis was chosen: a dict of direction and even.");
   m.def("keep_off_borders", &keep_off_borders, py::arg("dimples"), py::arg("breps"),
         py::arg("margin"), py::call_guard<py::gil_scoped_release>(),
         "Leaves out dimples nearer than `margin` [mm] to the border of the faces together.");

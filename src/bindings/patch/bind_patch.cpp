@@ -135,7 +135,13 @@ void bind_division(py::module_& m) {
       .def(py::init(&pattern_of), py::arg("shape"), py::arg("spacing"), py::arg("size"),
            py::arg("order") = "Inward", py::arg("start") = "Same corner")
       .def_readonly("spacing", &patch::PatchPattern::spacing)
-      .def_readonly("size", &patch::PatchPattern::size);
+      .def_readonly("size", &patch::PatchPattern::size)
+      .def_property_readonly(
+          "cell_area",
+          [](const patch::PatchPattern& p) {
+            return patch::cell_area(patch::lattice_of(p.shape)) * p.spacing * p.spacing;
+          },
+          "Area of the plane that one lattice point stands for [mm²].");
   py::class_<patch::PatchSurface>(m, "PatchSurface", "Planar, pyramid or curved patches.")
       .def(py::init(&surface_of), py::arg("kind"), py::arg("fit") = "Best fit",
            py::arg("height_factor") = 1.0, py::arg("apex_lift") = 0.0)
@@ -170,6 +176,12 @@ void bind_division(py::module_& m) {
       },
       py::arg("pattern"), py::arg("patches_x"), py::arg("patches_y"),
       "A block of patches centred on the texture plane's origin.");
+  m.def(
+      "least_patch_side",
+      [](const std::string& shape) {
+        return shape_of(shape) == patch::PatchShape::Hexagon ? 0 : 1;
+      },
+      py::arg("shape"), "The smallest side that a patch may have.");
   m.def("drop_slivers", &patch::drop_slivers, py::arg("dimples"), py::arg("least"),
         "Leaves out the dimples of patches that have fewer than `least`.");
 }

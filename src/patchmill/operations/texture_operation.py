@@ -110,6 +110,7 @@ class ObjectTexture(BallEndOperation):
             tool=tool,
             spindle=core.Spindle(speed / 60.0, tool_controller.sense(controller)),
             feed=controller.HorizFeed.Value,
+            heights_follow=_heights_follow(obj),
             surface=self.patch_surface(obj),
             origin=None if obj.AutoOrigin else tuple(obj.Origin),
             mask=_mask(obj),
@@ -131,6 +132,11 @@ def _values(obj, properties):
         for field in fields(TextureInput)
         if field.name in names
     }
+
+
+def _heights_follow(obj):
+    """Whether the safe height is the setup sheet's expression, not a value or expression of the user's."""
+    return any(name == "SafeHeight" and "SetupSheet" in text for name, text in obj.ExpressionEngine)
 
 
 def _plain(value):

@@ -8,6 +8,7 @@ import math
 import FreeCAD
 
 from patchmill.textures.free_form import phase_differences
+from patchmill.textures.laid import coverage
 
 RESULTS = [
     ("App::PropertyInteger", "DimpleCount", "Result", "Dimples that are milled"),
@@ -22,7 +23,12 @@ RESULTS = [
     ("App::PropertyLength", "FoundRidgeHeight", "Result", "Height of what stays between dimples"),
     ("App::PropertyAngle", "RubbingTilt", "Result", "Tilt below which the tip rubs in a dimple"),
     ("App::PropertyInteger", "RubbingDimples", "Result", "Milled dimples in which the tip rubs"),
-    ("App::PropertyLength", "SpacingLeast", "Result", "Least distance of neighbours, measured"),
+    (
+        "App::PropertyLength",
+        "SpacingLeast",
+        "Result",
+        "Least distance of any two dimples, straight in space",
+    ),
     ("App::PropertyLength", "SpacingGreatest", "Result", "Greatest distance of neighbours, measured"),
     ("App::PropertyFloat", "SpacingRms", "Result", "Root mean square of distance / spacing - 1"),
     ("App::PropertyAngle", "LatticeAngleLeast", "Result", "Least angle of lattice directions, measured"),
@@ -32,6 +38,13 @@ RESULTS = [
         "Result",
         "Greatest angle of lattice directions, measured",
     ),
+    (
+        "App::PropertyFloat",
+        "Coverage",
+        "Result",
+        "Milled dimples, each worth a cell of the lattice, over the faces' area; 0: not known",
+    ),
+    ("App::PropertyString", "Remarks", "Result", "What was decided for you, and what is not covered"),
     ("App::PropertyVector", "FoundDirection", "Result", "Direction of the projection"),
 ]
 FREE_FORM_RESULTS = [
@@ -68,6 +81,7 @@ def show_results(obj, plan):
         FoundRidgeHeight=plan.size["ridge_height"],
         RubbingTilt=math.degrees(plan.size["least_tilt"]),
         RubbingDimples=plan.rubbing(),
+        Remarks=" ".join(plan.remarks),
     )
     if plan.free is not None:
         _show_free_form(obj, plan)
@@ -75,7 +89,8 @@ def show_results(obj, plan):
     spread = plan.spread()
     _set(
         obj,
-        SpacingLeast=spread["least"] * plan.size["spacing"],
+        SpacingLeast=spread["nearest"] * plan.size["spacing"],
+        Coverage=coverage(plan) or 0.0,
         SpacingGreatest=spread["greatest"] * plan.size["spacing"],
         SpacingRms=spread["rms"],
         LatticeAngleLeast=math.degrees(spread["least_angle"]),
@@ -93,6 +108,7 @@ def _show_free_form(obj, plan):
         PhaseMiss=phases["largest_miss"],
         SpacingLeast=0.0,
         SpacingGreatest=0.0,
+        Coverage=0.0,
         SpacingRms=0.0,
         LatticeAngleLeast=0.0,
         LatticeAngleGreatest=0.0,

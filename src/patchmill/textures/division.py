@@ -12,26 +12,39 @@ from _patchmill import InputError
 from patchmill.textures import masks
 
 
-def _plane(given, origin):
-    direction = given.direction
-    if given.auto_direction:
-        direction = tuple(-core.facing(given.breps))
+def _direction(given, remarks):
+    """The direction of projection: as given, or from where the faces look largest. Faces that look to all
+    sides alike are projected on as given, or, if little of them is seen so, from the side that shows most."""
+    if not given.auto_direction:
+        return given.direction
+    found = core.seen_best(given.breps, given.direction)
+    if found["even"]:
+        remarks.append(
+            "The faces look to all sides alike: they are projected on along (%.4g, %.4g, %.4g)."
+            % tuple(found["direction"])
+        )
+    return tuple(found["direction"])
+
+
+def _plane(given, origin, direction):
     along_x = abs(direction[0]) > 0.9 * sum(c * c for c in direction) ** 0.5
     hint = (0.0, 1.0, 0.0) if along_x else (1.0, 0.0, 0.0)
     return core.texture_plane(origin, direction, hint, radians(given.rotation))
 
 
-def sampler_on(given):
+def sampler_on(given, remarks):
     """The texture plane, with its origin as given or in the middle of the faces; the sampler on it; and
-    the rectangle that the faces cover there, as its least and greatest corner."""
+    the rectangle that the faces cover there, as its least and greatest corner. What is decided for the user
+    is appended to `remarks`, a list of sentences."""
     steepest = radians(given.steepest_slope)
-    plane = _plane(given, given.origin or (0.0, 0.0, 0.0))
+    direction = _direction(given, remarks)
+    plane = _plane(given, given.origin or (0.0, 0.0, 0.0), direction)
     sampler = core.FaceSampler(given.breps, plane, steepest)
     low, high = sampler.extent()
     if given.origin is None:
         middle = 0.5 * (low + high)
         origin = plane.origin + middle[0] * plane.x_axis + middle[1] * plane.y_axis
-        plane = _plane(given, origin)
+        plane = _plane(given, origin, direction)
         sampler = core.FaceSampler(given.breps, plane, steepest)
         low, high = low - middle, high - middle
     return plane, sampler, low, high
@@ -62,36 +75,83 @@ def require_apart(given):
         core.texture_size("Isolated", shape, radius, spacing=given.spacing, depth=deepest)
 
 
-def _require_room(given, pattern, low, high):
-    outline = core.patch_block(pattern, 1, 1).outlines()[0]
-    size, room = outline.max(axis=0) - outline.min(axis=0), high - low
-    if (size > room).any():
-        raise InputError(
-            "PatchSide",
-            given.patch_side,
-            "a patch of %.3f x %.3f mm is larger than the faces (%.3f x %.3f mm seen along the "
-            "projection direction): choose a smaller side." % (*size, *room),
-        )
-
-
-def divide(given, plane, sampler, low, high, progress):
-    """The patches, and the lattice laid on the surface or None; None if `progress` returned False."""
-    pattern = core.PatchPattern(
-        given.patch_shape, given.spacing, given.patch_side, given.helix_order, given.helix_start
+def _pattern(given, side):
+    return core.PatchPattern(
+        given.patch_shape, given.spacing, side, given.helix_order, given.helix_start
     )
+
+
+def _size_of_patch(given, side):
+    outline = core.patch_block(_pattern(given, side), 1, 1).outlines()[0]
+    return outline.max(axis=0) - outline.min(axis=0)
+
+
+def _fitting(given, room, remarks):
+    """The pattern as it is given, or, if one patch is larger than `room`, with the greatest side that is
+    not; at least the smallest patch there is. That is said in `remarks`."""
+    side = given.patch_side
+    if (_size_of_patch(given, side) <= room).all():
+        return _pattern(given, side)
+    fits, too_large = core.least_patch_side(given.patch_shape), side
+    while too_large - fits > 1:
+        middle = (fits + too_large) // 2
+        if (_size_of_patch(given, middle) <= room).all():
+            fits = middle
+        else:
+            too_large = middle
+    remarks.append(
+        "A patch of side %d is larger than the faces (%.4g x %.4g mm): patches have side %d."
+        % (side, *room, fits)
+    )
+    return _pattern(given, fits)
+
+
+def divide(given, plane, sampler, low, high, remarks, progress):
+    """The patches, and the _patchmill.LaidOnFaces or None; None if `progress` returned False. What is
+    decided for the user is appended to `remarks`."""
     covering = given.patches_x == 0 and given.patches_y == 0
     if given.mapping not in ("Projected", "On surface"):
         raise InputError("Mapping", given.mapping, "give Projected or On surface.")
     if given.mapping == "Projected":
-        _require_room(given, pattern, low, high)
+        pattern = _fitting(given, high - low, remarks)
         if covering:
             return core.cover(pattern, low, high), None
         return core.patch_block(pattern, given.patches_x, given.patches_y), None
-    return divide_on_surface(given, pattern, plane, sampler, low, high, progress)
+    pattern = _pattern(given, given.patch_side)
+    laid = core.lay_on_faces(
+        pattern,
+        given.breps,
+        plane,
+        sampler,
+        radians(given.steepest_slope),
+        radians(given.rotation),
+        _start_on_faces(given, sampler),
+        progress,
+    )
+    if laid is None:
+        return None
+    if covering:
+        return laid.cover(), laid
+    return core.patch_block(pattern, given.patches_x, given.patches_y), laid
 
 
-def divide_on_surface(given, pattern, plane, sampler, low, high, progress):
-    """As divide(), on a lattice laid on the surface."""
+def _start_on_faces(given, sampler):
+    """The point where a lattice on the surface begins, or None for the middle of the faces."""
+    if given.origin is None:
+        return None
+    sample = sampler.sample(np.zeros((1, 2)))
+    if sample["states"][0] != 0:
+        raise InputError(
+            "Origin",
+            "(%g, %g, %g) mm" % tuple(given.origin),
+            "a texture on the surface begins there, and no face can be cut there: move it.",
+        )
+    return sample["positions"][0]
+
+
+def divide_through_plane(given, pattern, plane, sampler, low, high, progress):
+    """The patches and a _patchmill.SurfaceLattice without gaps, of the faces as they are seen along the
+    projection; None if `progress` returned False."""
     start = lattice_start(given, sampler, low, high)
     block = None
     if given.patches_x or given.patches_y:

@@ -13,7 +13,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.textures import strategies
-from patchmill.textures.division import divide_on_surface, sampler_on
+from patchmill.textures.division import divide_through_plane, sampler_on
 
 
 def place(given: Any, progress: Optional[Callable[[float], bool]] = None) -> Optional[dict]:
@@ -26,7 +26,8 @@ def place(given: Any, progress: Optional[Callable[[float], bool]] = None) -> Opt
     patch = core.FreePatch(
         given.patch_shape, given.free_side, given.cross_feed, given.feed_per_tooth
     )
-    plane, sampler, low, high = sampler_on(given)
+    remarks = []
+    plane, sampler, low, high = sampler_on(given, remarks)
     divided = _stands(given, patch, plane, sampler, low, high, progress)
     if divided is None:
         return None
@@ -48,6 +49,7 @@ def place(given: Any, progress: Optional[Callable[[float], bool]] = None) -> Opt
         "lattice": lattice,
         "extent": (low, high),
         "free": free,
+        "remarks": remarks,
     }
 
 
@@ -69,7 +71,7 @@ def _stands(given, patch, plane, sampler, low, high, progress):
     False."""
     pattern = patch.stands()
     if given.mapping != "Projected":
-        return divide_on_surface(given, pattern, plane, sampler, low, high, progress)
+        return divide_through_plane(given, pattern, plane, sampler, low, high, progress)
     if given.patches_x or given.patches_y:
         return core.patch_block(pattern, given.patches_x, given.patches_y), None
     return core.cover(pattern, low, high), None

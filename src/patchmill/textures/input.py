@@ -20,6 +20,7 @@ class TextureInput:
     feed: float
     safe_height: float
     clearance_height: float
+    heights_follow: bool = field(default=False, kw_only=True)  # they are not the user's own: see heights
     surface: core.PatchSurface = field(default_factory=lambda: core.PatchSurface("Curved"))
     # sizes: give what is known, 0 for the rest; in a plan `spacing` is the one that was found
     spacing: float = 0.5

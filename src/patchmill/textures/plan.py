@@ -14,7 +14,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.machine import machines
-from patchmill.textures import free_form, masks, strategies, tool_posture
+from patchmill.textures import free_form, heights, laid, masks, strategies, tool_posture
 from patchmill.textures.division import divide, require_apart, sampler_on, texture_size
 from patchmill.textures.input import TextureInput
 
@@ -22,6 +22,7 @@ __all__ = ["PlacedTexture", "PlannedTexture", "TextureInput", "place_texture", "
 
 VERTICAL = (0.0, 0.0, 1.0)
 Progress = Optional[Callable[[float], bool]]
+NEAREST = 0.9  # spacings: no dimples of a lattice laid on the surface are nearer
 
 
 @dataclass
@@ -37,6 +38,8 @@ class PlacedTexture:
     lattice: core.SurfaceLattice = None
     extent: tuple = None  # least and greatest corner of what the faces cover of the plane [mm]
     asked: TextureInput = None  # as it was given; `input` has its sizes completed
+    laid: core.LaidOnFaces = None  # of a lattice laid on the surface
+    remarks: list = field(default_factory=list)  # sentences: what was decided for the user
     free: core.FreeTexture = None  # of Matsuda's free form; then `division` are the patches' stands
 
     def places(self):
@@ -66,7 +69,10 @@ class PlacedTexture:
         form, whose marks are on no lattice."""
         if self.free is not None:
             return None
-        return core.spacing_spread(self.dimples, self.division.pattern)
+        spread = core.spacing_spread(self.dimples, self.division.pattern)
+        nearest = core.nearest_distances(self.dimples)
+        spread["nearest"] = nearest.min() / self.input.spacing if len(nearest) > 1 else 0.0
+        return spread
 
     def rubbing(self):
         """How many milled dimples are so near to the tool's tip that it rubs in them."""
@@ -132,7 +138,10 @@ def place_texture(given, progress=None):
     if not tool_posture.field_ready(given, _share(progress, 0.0, 0.0)):
         return None
     _keep_off_tip(placed)
+    if placed.laid is not None:
+        core.keep_apart(placed.dimples, NEAREST * placed.input.spacing)
     core.drop_slivers(placed.dimples, given.minimum_dimples)
+    placed.remarks.extend(laid.remarks(placed))
     return placed
 
 
@@ -140,12 +149,16 @@ def _place_lattice(given: TextureInput, progress: Progress) -> Optional[dict]:
     """The fields of a PlacedTexture whose dimples are on a lattice, as a dict."""
     size = texture_size(given)  # before the faces are looked at
     given = replace(given, spacing=size["spacing"])
-    plane, sampler, low, high = sampler_on(given)
+    remarks = []
+    plane, sampler, low, high = sampler_on(given, remarks)
     laying = given.mapping != "Projected"
-    divided = divide(given, plane, sampler, low, high, _share(progress, 0.0, 0.7))
+    divided = divide(given, plane, sampler, low, high, remarks, _share(progress, 0.0, 0.7))
     if divided is None:
         return None
-    division, lattice = divided
+    division, on_faces = divided
+    lattice = on_faces and on_faces.lattice
+    if on_faces is not None and (given.patches_x or given.patches_y):
+        lattice = lattice.counted_from(division.anchor, division.pattern)
     rest = _share(progress, 0.7 if laying else 0.0, 1.0)
     dimples = sampler.place(division, plane, given.surface, lattice, rest)
     if dimples is None:
@@ -158,6 +171,8 @@ def _place_lattice(given: TextureInput, progress: Progress) -> Optional[dict]:
         "dimples": dimples,
         "size": size,
         "lattice": lattice,
+        "laid": on_faces,
+        "remarks": remarks,
         "extent": (low, high),
     }
 
@@ -210,7 +225,8 @@ _REMEDIES = {
     "sliver": "lower MinimumDimples, or choose smaller patches",
     "masked": "change the mask",
     "no facet": "project from another Direction, or choose smaller patches",
-    "off the net": "choose the projected mapping, or move the texture's origin",
+    "off the net": "choose the projected mapping, or divide the faces",
+    "crowded": "choose a smaller spacing, or fewer faces",
 }
 
 
@@ -239,14 +255,24 @@ def plan_texture(given, progress=None):
     machine = machines.load(given.machine) if given.machine else None
     if placed.free is not None:
         rule = core.PhaseRule(False, 0.0, 0.0)
-        pacing = free_form.pacing(given, placed.free, dimples, rule, machine)
+        pacing = heights.plan_above(
+            given,
+            dimples,
+            placed.remarks,
+            lambda g: free_form.pacing(g, placed.free, dimples, rule, machine),
+        )
     else:
         rule = core.PhaseRule(given.same_flute, given.extra_turns, radians(given.phase_step))
         posture = None
         if not tool_posture.is_vertical(given):
             posture = tool_posture.plan(given, dimples, machine)
             rule = core.with_azimuths(rule, posture.postures)
-        pacing = strategies.make(given, dimples, rule, machine, posture=posture)
+        pacing = heights.plan_above(
+            given,
+            dimples,
+            placed.remarks,
+            lambda g: strategies.make(g, dimples, rule, machine, posture=posture),
+        )
     return PlannedTexture(
         **vars(placed),
         rule=rule,

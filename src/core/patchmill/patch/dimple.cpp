@@ -28,6 +28,8 @@ const char* name(DimpleState state) {
       return "no facet";
     case DimpleState::OffNet:
       return "off the net";
+    case DimpleState::Crowded:
+      return "crowded";
   }
   return "?";
 }

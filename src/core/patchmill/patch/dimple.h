@@ -24,8 +24,9 @@ enum class DimpleState : std::uint8_t {
   Masked,    ///< left out by an image or a curve
   NoFacet,   ///< its planar patch or facet would stand along the projection direction
   OffNet,    ///< a lattice laid on the surface does not reach so far
+  Crowded,   ///< too near to another dimple
 };
-constexpr int kDimpleStates = 10;
+constexpr int kDimpleStates = 11;
 const char* name(DimpleState state);
 
 /// A place on a face and the unit normal out of the material there [mm].

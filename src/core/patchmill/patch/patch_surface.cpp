@@ -125,32 +125,46 @@ void make_pyramid(const PatchWork& work, const PatchFrame& frame) {
   }
 }
 
+// From lattice coordinates to what is there; whole coordinates are dimples.
+using LatticeSampler = std::function<std::vector<SurfaceSample>(const std::vector<Vec2>& lattice)>;
+
 // Samples in batches, so that progress moves and memory stays bounded. False if asked to stop.
-bool sample_all(const std::vector<Vec2>& places, const SurfaceSampler& sampler,
-                const Progress& progress, Dimples& dimples) {
+bool sample_all(const LatticeSampler& sampler, const Progress& progress, Dimples& dimples) {
   std::vector<Vec2> batch;
-  std::vector<std::size_t> of;
-  for (std::size_t k = 0; k < places.size();) {
+  for (std::size_t first = 0; first < dimples.size(); first += batch.size()) {
     batch.clear();
-    of.clear();
-    for (; k < places.size() && batch.size() < kBatch; ++k) {
-      if (!places[k].allFinite()) {
-        dimples[k].state = DimpleState::OffNet;
-        continue;
-      }
-      batch.push_back(places[k]);
-      of.push_back(k);
-    }
+    for (std::size_t k = first; k < dimples.size() && batch.size() < kBatch; ++k)
+      batch.push_back(to_vec(dimples[k].lattice));
     const std::vector<SurfaceSample> samples = sampler(batch);
-    for (std::size_t i = 0; i < of.size(); ++i) {
-      dimples[of[i]].state = samples[i].state;
-      if (on_face(samples[i].state)) dimples[of[i]].surface = samples[i].point;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      dimples[first + i].state = samples[i].state;
+      if (samples[i].state != DimpleState::OffFace) dimples[first + i].surface = samples[i].point;
     }
-    if (!go_on(progress, double(k) / double(places.size()))) return false;
+    if (!go_on(progress, double(first + batch.size()) / double(dimples.size()))) return false;
   }
   return true;
 }
 
+// By way of the texture plane: where the lattice has no place there, it does not reach.
+LatticeSampler through_plane(const LatticePlace& place_of, const SurfaceSampler& sampler) {
+  return [&](const std::vector<Vec2>& lattice) {
+    std::vector<SurfaceSample> all(lattice.size());
+    std::vector<Vec2> places;
+    std::vector<std::size_t> of;
+    for (std::size_t k = 0; k < lattice.size(); ++k) {
+      const Vec2 place = place_of(lattice[k]);
+      all[k].state = DimpleState::OffNet;
+      if (!place.allFinite()) continue;
+      places.push_back(place);
+      of.push_back(k);
+    }
+    const std::vector<SurfaceSample> samples = sampler(places);
+    for (std::size_t i = 0; i < of.size(); ++i) all[of[i]] = samples[i];
+    return all;
+  };
+}
+
+// A middle that the lattice does not reach of itself is sampled through the plane.
 std::vector<PatchFrame> sample_frames(const PatchDivision& division, const LatticePlace& place_of,
                                       const SurfaceSampler& sampler) {
   std::vector<PatchFrame> frames;
@@ -204,17 +218,20 @@ std::optional<FitPlane> best_fit_plane(const std::vector<SurfacePoint>& points,
   return fit;
 }
 
-std::optional<Dimples> sample_patches(const PatchDivision& division, const TexturePlane& plane,
-                                      const LatticePlace& place_of, const SurfaceSampler& sampler,
-                                      const PatchSurface& surface, const Progress& progress) {
+namespace {
+
+std::optional<Dimples> sampled(const PatchDivision& division, const TexturePlane& plane,
+                               const LatticePlace& place_of, const SurfaceSampler& sampler,
+                               const LatticeSampler& on_lattice, const PatchSurface& surface,
+                               const Progress& progress) {
   require_finite("HeightFactor", surface.height_factor);
   require_finite("ApexLift", surface.apex_lift);
   Dimples dimples = lattice_points(division);
+  if (!sample_all(on_lattice, progress, dimples)) return std::nullopt;
+  if (surface.kind == SurfaceKind::Curved) return dimples;
   std::vector<Vec2> places;
   places.reserve(dimples.size());
   for (const Dimple& dimple : dimples) places.push_back(place_of(to_vec(dimple.lattice)));
-  if (!sample_all(places, sampler, progress, dimples)) return std::nullopt;
-  if (surface.kind == SurfaceKind::Curved) return dimples;
   const std::vector<PatchFrame> frames = sample_frames(division, place_of, sampler);
   const std::size_t count = dimples.size() / std::max<std::size_t>(1, frames.size());
   tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t k) {
@@ -228,6 +245,29 @@ std::optional<Dimples> sample_patches(const PatchDivision& division, const Textu
       make_planar(work, frames[k]);
   });
   return dimples;
+}
+
+}  // namespace
+
+std::optional<Dimples> sample_patches(const PatchDivision& division, const TexturePlane& plane,
+                                      const LatticePlace& place_of, const SurfaceSampler& sampler,
+                                      const PatchSurface& surface, const Progress& progress) {
+  return sampled(division, plane, place_of, sampler, through_plane(place_of, sampler), surface,
+                 progress);
+}
+
+std::optional<Dimples> sample_patches(const PatchDivision& division, const TexturePlane& plane,
+                                      const SurfaceLattice& lattice, const SurfaceSampler& sampler,
+                                      const PatchSurface& surface, const Progress& progress) {
+  if (!lattice.sample_of)
+    return sample_patches(division, plane, lattice.place_of, sampler, surface, progress);
+  const LatticeSampler on_faces = [&](const std::vector<Vec2>& points) {
+    std::vector<SurfaceSample> samples;
+    samples.reserve(points.size());
+    for (const Vec2& p : points) samples.push_back(lattice.sample_of(p));
+    return samples;
+  };
+  return sampled(division, plane, lattice.place_of, sampler, on_faces, surface, progress);
 }
 
 std::optional<Dimples> sample_patches(const PatchDivision& division, const TexturePlane& plane,

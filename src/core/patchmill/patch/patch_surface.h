@@ -6,6 +6,7 @@
 #include "patchmill/geometry/progress.h"
 #include "patchmill/patch/division.h"
 #include "patchmill/patch/sampler.h"
+#include "patchmill/patch/surface_lattice.h"
 
 #include <optional>
 
@@ -48,6 +49,11 @@ struct PatchSurface {
 /// finite.
 std::optional<Dimples> sample_patches(const PatchDivision& division, const TexturePlane& plane,
                                       const LatticePlace& place_of, const SurfaceSampler& sampler,
+                                      const PatchSurface& surface, const Progress& progress = {});
+
+/// As above on a lattice that is laid on the faces, by its `sample_of` if it has one.
+std::optional<Dimples> sample_patches(const PatchDivision& division, const TexturePlane& plane,
+                                      const SurfaceLattice& lattice, const SurfaceSampler& sampler,
                                       const PatchSurface& surface, const Progress& progress = {});
 
 /// As above with the lattice flat in the texture plane: the papers' projected dimples.

@@ -73,8 +73,14 @@ SurfaceLattice counted_from(const SurfaceLattice& lattice, const Vec2& flat, Lat
   require_finite("Start", flat, "mm");
   const Vec2 shift = lattice_coordinates(kind, spacing, flat).array().round();
   const Vec2 moved = lattice_place(kind, spacing, shift);
-  return {[place_of = lattice.place_of, shift](const Vec2& p) { return place_of(p + shift); },
-          Box2(lattice.flat.min() - moved, lattice.flat.max() - moved)};
+  SurfaceLattice counted{
+      [place_of = lattice.place_of, shift](const Vec2& p) { return place_of(p + shift); }, nullptr,
+      Box2(lattice.flat.min() - moved, lattice.flat.max() - moved)};
+  if (lattice.sample_of)
+    counted.sample_of = [sample_of = lattice.sample_of, shift](const Vec2& p) {
+      return sample_of(p + shift);
+    };
+  return counted;
 }
 
 PatchDivision cover(const PatchPattern& pattern, const SurfaceLattice& lattice, const Box2& area,

@@ -49,6 +49,8 @@ struct LatticeRequest {
 /// A lattice on the surface.
 struct SurfaceLattice {
   LatticePlace place_of;  ///< from lattice coordinates to places of the texture plane
+  /// From lattice coordinates to the faces, without a projection; empty for lattices in the plane.
+  std::function<SurfaceSample(const Vec2& lattice)> sample_of;
   /// Holds all lattice points with places in the area, the lattice spread out flat with point (0,
   /// 0) at the origin [mm].
   Box2 flat;
