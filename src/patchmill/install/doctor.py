@@ -171,7 +171,7 @@ def report():
 def main():
     """Prints the report; returns 1 if something is wrong."""
     text = report()
-    print(text)
+    print(text, flush=True)  # FreeCAD may end without
     return int(not text.endswith("nothing is wrong"))
 
 
