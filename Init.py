@@ -9,7 +9,9 @@ def _find_packages():
 
     for root in list(sys.path):
         if os.path.isfile(os.path.join(root, "src", "patchmill", "install", "core_loader.py")):
-            sys.path += [os.path.join(root, *parts) for parts in (("src",), ("Gui",), ("src", "posts"))]
+            # core/cp313 for Python 3.13: what was unpacked of a wheel (patchmill.install.core_loader)
+            core = ("core", "cp%d%d" % sys.version_info[:2])
+            sys.path += [os.path.join(root, *p) for p in (("src",), ("Gui",), ("src", "posts"), core)]
 
 
 class _OldDocuments:
@@ -26,4 +28,5 @@ class _OldDocuments:
 
 
 _find_packages()
+FreeCAD.__unit_test__ += ["TestPatchMill"]  # noqa: F821  FreeCAD gives it
 __import__("sys").meta_path.append(_OldDocuments)

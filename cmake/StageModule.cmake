@@ -10,6 +10,8 @@ foreach(FILE ${MODULE_FILES})
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${FILE} ${STAGE}/${FILE} SYMBOLIC)
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/src/patchmill ${STAGE}/patchmill SYMBOLIC)
+# FreeCAD finds tests by the name of a module: freecadcmd -t TestPatchMill
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/src/TestPatchMill.py ${STAGE}/TestPatchMill.py SYMBOLIC)
 # FreeCAD finds a post-processor by its name and "_post.py" on sys.path
 file(GLOB POST_FILES RELATIVE ${PROJECT_SOURCE_DIR}/src/posts CONFIGURE_DEPENDS
      ${PROJECT_SOURCE_DIR}/src/posts/*_post.py)
@@ -21,6 +23,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/Resources ${STAGE}/Resources SYMBOLIC)
 
 install(TARGETS _patchmill DESTINATION Mod/PatchMill COMPONENT module)
 install(FILES ${MODULE_FILES} DESTINATION Mod/PatchMill COMPONENT module)
+install(FILES src/TestPatchMill.py DESTINATION Mod/PatchMill COMPONENT module)
 install(DIRECTORY src/posts/ DESTINATION Mod/PatchMill COMPONENT module FILES_MATCHING PATTERN "*_post.py")
 install(DIRECTORY src/patchmill DESTINATION Mod/PatchMill COMPONENT module PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY Gui/patchmill_gui DESTINATION Mod/PatchMill COMPONENT module PATTERN __pycache__ EXCLUDE)

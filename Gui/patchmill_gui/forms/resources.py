@@ -7,11 +7,10 @@ import importlib
 import os
 import typing
 
-import patchmill
 from patchmill.freecad import host
+from patchmill.install import core_loader
 
-# patchmill is a folder of the module; its parent holds Resources, in the build tree and installed
-FOLDER = os.path.join(os.path.dirname(os.path.dirname(patchmill.__file__)), "Resources")
+FOLDER = os.path.join(core_loader.module_root(), "Resources")
 
 
 def icon(name):

@@ -6,6 +6,7 @@
     patchmill report OUT
     patchmill machines
     patchmill examples [NAME FOLDER]
+    patchmill doctor
 
 Exit status: 0 all is well, 1 something failed or came out otherwise, 2 a wrong call.
 
@@ -23,6 +24,7 @@ import patchmill
 from patchmill.batch import cluster, compare, index, outputs, recipe
 from patchmill.batch import run as batch
 from patchmill.batch.problem import BatchError
+from patchmill.install import doctor
 
 FAILED, WRONG_CALL = 1, 2
 
@@ -74,6 +76,8 @@ def _parser() -> argparse.ArgumentParser:
     report.add_argument("output", metavar="OUT")
     report.set_defaults(do=_report)
     calls.add_parser("machines", help="list the machine files").set_defaults(do=_machines)
+    doctors = calls.add_parser("doctor", help="what is installed, and what is wrong with it")
+    doctors.set_defaults(do=lambda _: doctor.in_freecad())
     examples = calls.add_parser("examples", help="list the example recipes, or copy one")
     examples.add_argument("name", nargs="?")
     examples.add_argument("folder", nargs="?")

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from typing import Any, Dict, Optional, Tuple
 
 from patchmill.batch.problem import BatchError
+from patchmill.install import core_loader
 
 COMMANDS = ("freecadcmd", "FreeCADCmd", "freecad.cmd")
 POLL_SECONDS = 0.05
@@ -48,7 +49,7 @@ def freecad_command() -> str:
 
 def module_folder() -> str:
     """The folder that FreeCAD loads this PatchMill from."""
-    return os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    return core_loader.module_root()
 
 
 def run_part(

@@ -89,10 +89,11 @@ def active_document(document=None):
 
 def _list_own_posts():
     """FreeCAD lists and loads the post-processors of certain folders, and knows no setting that adds one:
-    PatchMill's, beside this package, becomes one of them."""
+    PatchMill's, beside this package, becomes one of them; in a clone, the folder `posts` there."""
     folder = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    folders = [f for f in (folder, os.path.join(folder, "posts")) if os.path.isdir(f)]
     others = PathPreferences.searchPathsPost
-    PathPreferences.searchPathsPost = lambda: others() + [folder]
+    PathPreferences.searchPathsPost = lambda: others() + folders
 
 
 _list_own_posts()

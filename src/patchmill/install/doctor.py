@@ -14,6 +14,8 @@ import importlib
 import os
 import platform
 import re
+import shutil
+import subprocess
 import sys
 from dataclasses import dataclass
 
@@ -173,6 +175,16 @@ def main():
     text = report()
     print(text, flush=True)  # FreeCAD may end without
     return int(not text.endswith("nothing is wrong"))
+
+
+def in_freecad():
+    """As main, in the FreeCADCmd that is found (FREECADCMD names another), and here where there is none."""
+    program = shutil.which(os.environ.get("FREECADCMD", "freecadcmd"))
+    if program is None:
+        return main()
+    script = "import sys; from patchmill.install import doctor; sys.exit(doctor.main())"
+    words = [program, "-c", script, "-M", core_loader.module_root()]
+    return subprocess.run(words, stdin=subprocess.DEVNULL).returncode
 
 
 if __name__ == "__main__":
