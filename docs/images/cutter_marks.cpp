@@ -73,7 +73,7 @@ void array(const std::string& name_of_it, double cross_feed, Shift&& shift,
 void experiment() {
   patch::Dimples dimples = patch::table1_dimples(14, 8, 8);
   sync::mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
-  const BallEndMill tool{1.0, 2};
+  const Tool tool{1.0, 2};
   const Spindle spindle{1000.0 / 60.0, SpindleSense::M3};
   const sync::ConstantFeed rule{434.413 / 60.0, {sync::FluteChoice::Same, 5.0, {}}, 40.0, 42.0};
   marks::MotionOptions options;

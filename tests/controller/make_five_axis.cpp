@@ -21,7 +21,7 @@ namespace patchmill {
 namespace {
 
 const Decimals kDecimals(4);
-const BallEndMill kTool{1.0, 2};
+const Tool kTool{1.0, 2};
 
 // xyzac-trt-kins and xyzbc-trt-kins, with the offsets of tests/controller/harness
 machine::Kinematics machine_of(const std::string& name) {

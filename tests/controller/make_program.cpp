@@ -30,7 +30,7 @@ struct Job {
   Options options;
 };
 
-const BallEndMill kTool{kRadius, 2};
+const Tool kTool{kRadius, 2};
 
 ToolPath plan(const Job& job, Spindle spindle) {
   if (job.strategy == "constant") {

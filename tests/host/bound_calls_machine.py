@@ -72,7 +72,7 @@ call("apply_dcm", path=t.copy_path, grid=t.grid, feed=t.feed, posture=t.posture,
      clearance=1.0, lowest=1.5, reading="Smooth", read_at="Ball centre", feed_tolerance=0.1,
      axis_tolerance=0.01,
      axis_rate=1.0, acceleration=100.0)
-call("hurry_in_air", path=t.copy_path, grid=t.grid, feed=50.0, flat=False)
+call("hurry_in_air", path=t.copy_path, grid=t.grid, feed=50.0)
 call("path_steps", path=t.copy_path)
 call("holder_clearance", part=t.part, holder=t.HOLDER, path=t.copy_path, clearance=1.0, step=0.5)
 call("CopyOptions", copied, **t.COPY)

@@ -126,7 +126,7 @@ copy::CopyMode copy_mode(const std::string& name) {
 
 void bind_copy(py::module_& m) {
   py::class_<copy::CopyOptions>(m, "CopyOptions", "What copy_mill needs beside the part. mm, s.")
-      .def(py::init([](const std::string& mode, const BallEndMill& tool, const Spindle& spindle,
+      .def(py::init([](const std::string& mode, const Tool& tool, const Spindle& spindle,
                        double feed, double radial_depth, double axial_depth, double tolerance,
                        double allowance, const Vec3& low, const Vec3& high, double clearance,
                        double overlap) {
@@ -184,7 +184,7 @@ void bind_copy(py::module_& m) {
       [](double radius, double cross_feed) {
         require_positive("BallRadius", radius, "mm");
         require_in_range("CrossFeed", cross_feed, 0.0, 1e6, "mm");
-        return copy::scallop_height(radius, cross_feed);
+        return scallop_height(Tool{radius, 1}, cross_feed);
       },
       py::arg("radius"), py::arg("cross_feed"),
       "Ridge on a flat between passes [mm]; the radius where the ball does not reach between "
@@ -260,17 +260,16 @@ void bind_dcm_path(py::module_& m) {
         "many moves come nearer than `clearance`.");
   m.def(
       "hurry_in_air",
-      [](const ToolPath& path, const voxel::VoxelGrid& grid, double feed, bool flat) {
+      [](const ToolPath& path, const voxel::VoxelGrid& grid, double feed) {
         std::vector<std::int64_t> source;
         ToolPath out;
         {
           const py::gil_scoped_release release;
-          out = dcm::hurry_in_air(
-              path, grid, {feed, 0.0, flat ? dcm::ToolEnd::Flat : dcm::ToolEnd::Ball}, &source);
+          out = dcm::hurry_in_air(path, grid, {feed, 0.0}, &source);
         }
         return py::make_tuple(std::move(out), source_array(source));
       },
-      py::arg("path"), py::arg("grid"), py::arg("feed"), py::arg("flat") = false,
+      py::arg("path"), py::arg("grid"), py::arg("feed"),
       "(path with moves through emptied voxels at `feed` [mm/s], number of the given move of "
       "each)");
   bind_copy(m);

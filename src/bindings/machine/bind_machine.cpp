@@ -75,7 +75,7 @@ void bind_text(py::module_& m) {
 }
 
 gcode::ProgramSection section_part(const gcode::ProgramSection& whole, std::size_t first,
-                                   std::size_t end, const BallEndMill& tool) {
+                                   std::size_t end, const Tool& tool) {
   const std::vector<Move>& moves = whole.path.moves;
   if (first > end || end > moves.size())
     throw InputError("first", std::to_string(first), "give moves of the section, in order.");
@@ -122,7 +122,7 @@ void bind_reader(py::module_& m) {
            "first.");
   m.def(
       "read_gcode",
-      [](const std::string& text, const BallEndMill& tool, const std::string& dialect, bool rotary,
+      [](const std::string& text, const Tool& tool, const std::string& dialect, bool rotary,
          const std::string& tcp_on, const std::string& tcp_off) {
         return gcode::read_gcode(text, tool, {&gcode::control_of(dialect), rotary, tcp_on, tcp_off})
             .sections;

@@ -82,9 +82,8 @@ auto translated(const Call& call) -> decltype(call()) {
 }
 
 sync::Verdict judge_plan(const std::function<ToolPath(const Spindle&)>& plan,
-                         const patch::Dimples& dimples, const BallEndMill& tool,
-                         const Spindle& spindle, const sync::PhaseRule& rule,
-                         const machine::MotionModel& model) {
+                         const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
+                         const sync::PhaseRule& rule, const machine::MotionModel& model) {
   if (!plan) throw InputError("Plan", "None", "give a function from Spindle to ToolPath.");
   const auto plan_in_cpp = [&](const Spindle& s) { return translated([&] { return plan(s); }); };
   return sync::judge(plan_in_cpp, spindle, model, sync::wanted_phases(dimples, rule, spindle),
@@ -99,7 +98,7 @@ void bind_paths(py::module_& m) {
            py::arg("turning") = std::vector<double>());
   m.def(
       "paced_path",
-      [](const patch::Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
+      [](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
          const sync::PacedRule& rule, const machine::MotionModel& model, int decimals) {
         sync::PacedPath made =
             sync::paced_path(dimples, tool, spindle, rule, model, Decimals(decimals));

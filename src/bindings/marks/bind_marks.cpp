@@ -70,7 +70,7 @@ marks::BaseMaker base_maker(const py::object& base, const patch::TexturePlane& p
       [sampler](const std::vector<Vec2>& places) { return sampler->sample(places); });
 }
 
-marks::TextureMarks simulate(const marks::ToolMotion& motion, const BallEndMill& tool,
+marks::TextureMarks simulate(const marks::ToolMotion& motion, const Tool& tool,
                              const patch::TexturePlane& plane, const Vec2& low, const Vec2& high,
                              double step, double stock, const py::object& base, double reach,
                              double helix, const std::vector<double>& runout, double least_depth,

@@ -16,9 +16,9 @@ Spindle spindle_of(double speed, const std::string& sense) {
 
 using Rows = Eigen::Matrix<double, -1, 3, Eigen::RowMajor>;
 
-ToolPath make_path(const BallEndMill& tool, const Spindle& spindle, const Vec3& start,
-                   const Rows& tips, const std::optional<Rows>& axes,
-                   const std::vector<std::uint8_t>& kinds, const std::vector<double>& turns) {
+ToolPath make_path(const Tool& tool, const Spindle& spindle, const Vec3& start, const Rows& tips,
+                   const std::optional<Rows>& axes, const std::vector<std::uint8_t>& kinds,
+                   const std::vector<double>& turns) {
   const auto n = static_cast<std::size_t>(tips.rows());
   if (kinds.size() != n || turns.size() != n || (axes && axes->rows() != tips.rows()))
     throw InputError("path", "arrays of different length", "give one row for each move.");
@@ -62,22 +62,43 @@ py::dict statistics_dict(const ToolPath& path) {
   return d;
 }
 
+void bind_tool(py::module_& m) {
+  py::class_<Tool>(
+      m, "Tool",
+      "A cutter: radius [mm], > 0; flutes, 1 to 32; radius of its corner [mm], 0 (flat) to the "
+      "radius (a ball, as without one); angle between flank and axis [rad]. Raises InputError "
+      "naming BallRadius, Flutes, CornerRadius or TaperAngle.")
+      .def(py::init(
+               [](double radius, int flutes, std::optional<double> corner_radius, double taper) {
+                 require_positive("BallRadius", radius, "mm");
+                 require_in_range("Flutes", flutes, 1, 32, "flutes");
+                 const Tool tool{radius, flutes, corner_radius, Angle::radians(taper)};
+                 require_valid(tool);
+                 return tool;
+               }),
+           py::arg("radius"), py::arg("flutes"), py::arg("corner_radius") = py::none(),
+           py::arg("taper") = 0.0)
+      .def("__eq__",
+           [](const Tool& a, const Tool& b) {
+             return a.radius == b.radius && a.flutes == b.flutes && a.corner() == b.corner() &&
+                    a.taper == b.taper;
+           })
+      .def_readonly("radius", &Tool::radius)
+      .def_readonly("flutes", &Tool::flutes)
+      .def_property_readonly("corner_radius", &Tool::corner,
+                             "[mm]; so far is the tool's centre above its tip.")
+      .def_property_readonly("taper", [](const Tool& t) { return t.taper.radians(); })
+      .def_property_readonly("is_ball", &Tool::is_ball)
+      .def_property_readonly("name", [](const Tool& t) { return name(t.shape()); })
+      .def("scallop_height", &scallop_height, py::arg("cross_feed"),
+           "Ridge that it leaves on a flat between passes [mm].");
+  m.attr("BallEndMill") = m.attr("Tool");  // as it was called while there was no other
+}
+
 }  // namespace
 
 void bind_path(py::module_& m) {
-  py::class_<BallEndMill>(m, "BallEndMill", "Ball radius [mm], > 0, and number of flutes, 1 to 32.")
-      .def(py::init([](double radius, int flutes) {
-             require_positive("BallRadius", radius, "mm");
-             require_in_range("Flutes", flutes, 1, 32, "flutes");
-             return BallEndMill{radius, flutes};
-           }),
-           py::arg("radius"), py::arg("flutes"))
-      .def("__eq__",
-           [](const BallEndMill& a, const BallEndMill& b) {
-             return a.radius == b.radius && a.flutes == b.flutes;
-           })
-      .def_readonly("radius", &BallEndMill::radius)
-      .def_readonly("flutes", &BallEndMill::flutes);
+  bind_tool(m);
   py::class_<Spindle>(m, "Spindle", "Speed [revolutions per second], > 0, and sense, 'M3' or 'M4'.")
       .def(py::init(&spindle_of), py::arg("speed"), py::arg("sense"))
       .def("__eq__", [](const Spindle& a,

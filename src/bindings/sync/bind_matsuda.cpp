@@ -10,7 +10,7 @@
 namespace patchmill {
 namespace {
 
-patch::MarkWish wish_of(const BallEndMill& tool, double spindle_speed, const std::string& shape,
+patch::MarkWish wish_of(const Tool& tool, double spindle_speed, const std::string& shape,
                         double side, const std::string& array, std::optional<double> feed_per_tooth,
                         std::optional<double> ridge_height, std::optional<double> cross_feed) {
   patch::MarkWish wish;
@@ -146,7 +146,7 @@ void bind_free_form(py::module_& m) {
         "(FreeTexture, Dimples), or None if `progress` returned False.");
   m.def(
       "free_form_path",
-      [](const patch::FreeTexture& texture, const patch::Dimples& dimples, const BallEndMill& tool,
+      [](const patch::FreeTexture& texture, const patch::Dimples& dimples, const Tool& tool,
          const Spindle& spindle, double feed, double safe_height, double clearance_height,
          int decimals) {
         return sync::free_form_path(texture, dimples, tool, spindle,

@@ -62,9 +62,8 @@ void bind_sync(py::module_& m) {
       .def_readonly("extra_turns", &sync::PhaseRule::extra_turns);
   m.def(
       "constant_feed_path",
-      [](const patch::Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
-         double feed, const sync::PhaseRule& rule, double safe_height, double clearance_height,
-         int decimals) {
+      [](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle, double feed,
+         const sync::PhaseRule& rule, double safe_height, double clearance_height, int decimals) {
         return sync::constant_feed_path(dimples, tool, spindle,
                                         {feed, rule, safe_height, clearance_height},
                                         Decimals(decimals));

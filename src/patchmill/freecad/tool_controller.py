@@ -3,6 +3,9 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import math
+
+import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
 
@@ -28,6 +31,49 @@ def require_ball_end(controller, remedy):
     kind = host.tool_kind(controller.Tool)
     if kind != "ballend":
         raise InputError("ToolController", "%s (%s)" % (controller.Label, kind or "unknown kind"), remedy)
+
+
+def cutter(controller):
+    """The _patchmill.Tool of a controller: ball, bull nose, flat or tapered ball end mill. Raises InputError
+    naming ToolController if the bit is none of them, or what its bit says wrongly."""
+    require_tool(controller)
+    bit, kind = controller.Tool, host.tool_kind(controller.Tool)
+    radius, corner, taper = float(bit.Diameter) / 2.0, None, 0.0
+    if kind in ("bullnose", "torus"):
+        corner = _corner_radius(bit, radius)
+    elif kind == "endmill":
+        corner = 0.0
+    elif kind == "taperedballnose":
+        taper = 0.5 * math.radians(float(bit.TaperAngle))  # FreeCAD's is between the flanks
+    elif kind != "ballend":
+        remedy = "choose a ball, bull nose, flat or tapered ball end mill."
+        raise InputError("ToolController", "%s (%s)" % (controller.Label, kind or "unknown kind"), remedy)
+    return core.Tool(radius, flutes(bit), corner, taper)
+
+
+def any_cutter(controller):
+    """As cutter(); of a bit of another kind a flat end: what is known of it is its tip."""
+    require_tool(controller)
+    if is_known(controller.Tool):
+        return cutter(controller)
+    return core.Tool(float(controller.Tool.Diameter) / 2.0, flutes(controller.Tool), 0.0)
+
+
+def is_known(bit):
+    """Whether the shape of a tool bit's cutting end is known."""
+    return host.tool_kind(bit) in ("ballend", "bullnose", "torus", "endmill", "taperedballnose")
+
+
+def _corner_radius(bit, radius):
+    """[mm], of a bull nose: its bit says it, or (FlatRadius) how wide its flat bottom is."""
+    said = float(getattr(bit, "CornerRadius", 0.0) or 0.0)
+    if said > 0.0:
+        return said
+    flat = float(getattr(bit, "FlatRadius", 0.0) or 0.0)
+    if not 0.0 <= flat <= radius:
+        remedy = "the flat bottom of %s is within its radius, %g mm." % (bit.Label, radius)
+        raise InputError("FlatRadius", "%g mm" % flat, remedy)
+    return radius - flat
 
 
 def flutes(bit):

@@ -76,7 +76,7 @@ def control(given, model):
         acceleration=given.acceleration,
     )
     if given.air > 0.0:
-        path, pieces = core.hurry_in_air(path, model.grid, given.air, given.flat)
+        path, pieces = core.hurry_in_air(path, model.grid, given.air)
         source = source[pieces]
     if given.keep_plunges and given.feed:
         path = slow_plunges(path, planned, source)
@@ -133,7 +133,7 @@ def _check(given):
 
 def _above_ball(given):
     """The holder's frusta with heights from the ball centre; what is at the ball is left to the path."""
-    radius = given.tool.radius
+    radius = given.tool.radius  # only a ball end mill is tilted
     out = []
     for low, high, r_low, r_high in given.holder:
         if high <= 2.0 * radius:

@@ -25,14 +25,13 @@ class DcmInput:
     commands: list = field(compare=False)
     length: float  # of the base's path: with its label, what `commands` are compared by
     label: str
-    tool: core.BallEndMill
+    tool: core.Tool
     spindle: core.Spindle
     feed: bool
     posture: bool
     low: float
     high: float
     air: float
-    flat: bool
     keep_plunges: bool
     reading: str
     read_at: str
@@ -64,14 +63,13 @@ def input_of(obj):
         commands=obj.Base.Path.Commands,
         length=obj.Base.Path.Length,
         label=obj.Base.Label,
-        tool=_tool(operation, posture),
+        tool=_tool(operation, posture, obj.FeedInAir.Value),
         spindle=_spindle(operation),
         feed=feed,
         posture=posture,
         low=obj.FeedAtProduct.Value,
         high=obj.FeedAtSkin.Value,
         air=obj.FeedInAir.Value,
-        flat=_is_flat(operation, obj.FeedInAir.Value),
         keep_plunges=obj.KeepPlunges,
         reading=obj.Reading,
         read_at=obj.ReadAt,
@@ -94,13 +92,14 @@ def _operation(obj):
     return obj
 
 
-def _tool(operation, posture):
+def _tool(operation, posture, air):
     controller = operation.ToolController
     tool_controller.require_tool(controller)
     if posture:
         remedy = "only a ball end mill can be tilted: choose one, or set Controls to Feed."
         tool_controller.require_ball_end(controller, remedy)
-    return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, tool_controller.flutes(controller.Tool))
+    _require_known_end(operation, air)
+    return tool_controller.any_cutter(controller)
 
 
 def _transient(obj):
@@ -109,16 +108,15 @@ def _transient(obj):
     return (obj.DiffusionTime, obj.TimeStep, obj.Diffusivity, obj.SubSteps)
 
 
-def _is_flat(operation, air):
-    """Whether the tool is a cylinder; for air cuts its shape must be known."""
-    kind = host.tool_kind(operation.ToolController.Tool)
-    if air > 0.0 and kind not in ("ballend", "endmill"):
+def _require_known_end(operation, air):
+    """For air cuts the tool's shape must be known."""
+    bit = operation.ToolController.Tool
+    if air > 0.0 and not tool_controller.is_known(bit):
         raise InputError(
             "FeedInAir",
             "%g mm/min" % (60.0 * air),
-            "what a tool of kind '%s' leaves is not known: give 0." % (kind or "unknown"),
+            "what a tool of kind '%s' leaves is not known: give 0." % (host.tool_kind(bit) or "unknown"),
         )
-    return kind == "endmill"
 
 
 def _spindle(operation):

@@ -33,7 +33,7 @@ class CopyInput:
     feed: float
     plunge_feed: float  # greatest velocity downwards
     cutting_edge: float  # length of the tool's edges; infinite if its bit does not say
-    tool: core.BallEndMill
+    tool: core.Tool
     spindle: core.Spindle
     stock: str
     model: str
@@ -97,14 +97,16 @@ def _compound(faces):
 
 
 def _cutting(controller):
-    tool_controller.require_ball_end(controller, "copy milling takes a ball end mill: choose one.")
+    tool = tool_controller.cutter(controller)
+    if tool.corner_radius == 0.0:
+        remedy = "copy milling takes a ball or bull nose end mill: choose one."
+        raise InputError("ToolController", "%s (%s)" % (controller.Label, tool.name), remedy)
     for name in ("HorizFeed", "VertFeed"):
         feed = getattr(controller, name).Value
         if not (math.isfinite(feed) and feed > 0.0):
             raise InputError(
                 name, "%g mm/min" % (60.0 * feed), "give %s more than zero." % controller.Label
             )
-    tool = core.BallEndMill(float(controller.Tool.Diameter) / 2.0, tool_controller.flutes(controller.Tool))
     edge = float(getattr(controller.Tool, "CuttingEdgeHeight", 0.0) or 0.0)
     return tool, controller.HorizFeed.Value, controller.VertFeed.Value, edge if edge > 0.0 else math.inf
 

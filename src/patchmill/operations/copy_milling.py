@@ -1,5 +1,5 @@
-"""CopyMilling: a ball end mill led by a virtual probe over the model, in scanning or contour lines, layer by
-layer from the stock (Kobayashi & Shirase 2014, section 2; docs/copy-milling.md).
+"""CopyMilling: a ball or bull nose end mill led by a virtual probe over the model, in scanning or contour
+lines, layer by layer from the stock (Kobayashi & Shirase 2014, section 2; docs/copy-milling.md).
 
     op = patchmill.CopyMilling.Create("CopyMilling", parentJob=job)    # a job with a ball end mill
     op.Mode, op.RadialDepth, op.AxialDepth = "Scanning", 2.0, 2.0
@@ -24,7 +24,7 @@ from patchmill.path.read_text import path_of
 LEAST_HEIGHT = 1e-3  # mm of stock that is looked at, over a face at its top
 NOTHING_THERE = "there is nothing to cut on them, or the ball does not reach them from above."
 CUT = 2  # kind of a move of a ToolPath
-OVERLAP = 0.87  # of the ball's radius that lines go beyond the stock: slopes up to 60 degrees are finished
+OVERLAP = 0.87  # of the corner's radius that lines go beyond the stock: slopes up to 60 degrees are finished
 PROPERTIES = [
     ("App::PropertyEnumeration", "Mode", "Copy", "Lines in planes along X, or contours at levels", MODES),
     ("App::PropertyEnumeration", "Passes", "Copy", "Layers from the stock, the last pass, or both", PASSES),
@@ -75,7 +75,7 @@ class ObjectCopyMilling(BallEndOperation):
         obj.Moves = len(self.path)
         obj.MachiningTime = statistics["timed_seconds"]
         obj.OutOfReach = made.out_of_reach
-        obj.Scallop = core.scallop_height(self.path.tool.radius, given.last_radial)
+        obj.Scallop = given.tool.scallop_height(given.last_radial)
 
 
 @dataclass
@@ -162,7 +162,7 @@ def _to_cut(stock, part):
 
 def _options(given, low, high, radial, axial, allowance):
     depths = (radial, axial, given.tolerance, allowance)
-    room = (low, high, given.safe_height - high[2], OVERLAP * given.tool.radius)
+    room = (low, high, given.safe_height - high[2], _beyond(given.tool))
     return core.CopyOptions(given.mode, given.tool, given.spindle, given.feed, *depths, *room)
 
 
@@ -182,6 +182,11 @@ def solids(given):
     _check_inside(stock.bounds, part.bounds)
     faces = core.solid_of_brep(given.faces, deflection, "Base", False) if given.faces else None
     return stock, part, faces
+
+
+def _beyond(tool):
+    """How far lines go beyond the stock: of a ball OVERLAP R, of a bull nose besides its flat bottom."""
+    return OVERLAP * tool.corner_radius + (tool.radius - tool.corner_radius)
 
 
 def _check_inside(stock, part):

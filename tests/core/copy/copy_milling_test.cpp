@@ -149,8 +149,8 @@ TEST(CopyMilling, ScallopsOnAFlatAreAsPredicted) {
     });
     highest = std::max(highest, left);
   }
-  EXPECT_NEAR(highest, scallop_height(3.0, 2.0), 0.002);
-  EXPECT_NEAR(scallop_height(3.0, 2.0), 3.0 - std::sqrt(8.0), 1e-15);
+  EXPECT_NEAR(highest, scallop_height(Tool{3.0, 2}, 2.0), 0.002);
+  EXPECT_NEAR(scallop_height(Tool{3.0, 2}, 2.0), 3.0 - std::sqrt(8.0), 1e-15);
 }
 
 TEST(CopyMilling, EveryLayerTakesAtMostTheAxialDepth) {

@@ -110,7 +110,7 @@ struct Check {
       }
     // lines b apart are b / cos(a) apart on a slope of a, and a ridge is 1 / cos(a) as high over the line below
     const double steepest = std::cos(std::atan(20.0 * kPi / 50.0));
-    EXPECT_LT(most, scallop_height(kRadius, radial / steepest) / steepest + 0.02);
+    EXPECT_LT(most, scallop_height(Tool{kRadius, 2}, radial / steepest) / steepest + 0.02);
   }
 };
 

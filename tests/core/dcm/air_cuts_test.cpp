@@ -17,6 +17,7 @@ namespace patchmill::dcm {
 namespace {
 
 constexpr double kRadius = 3.0;
+const Tool kBall{kRadius, 2}, kFlat{kRadius, 2, 0.0};
 
 voxel::VoxelGrid block(double pitch) {
   voxel::VoxelOptions options;
@@ -48,7 +49,7 @@ TEST(RemainingStock, LosesTheVolumeOfASlot) {
   const double before = stock.volume();
   const auto count = voxel::count_kinds(grid);
   EXPECT_NEAR(before, double(count[2] + count[3] + count[4]), 1e-6);
-  for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 13), Vec3::UnitZ(), kRadius);
+  for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 13), Vec3::UnitZ(), kBall);
   const double slot = 40 * (0.5 * kPi * kRadius * kRadius + 2 * kRadius * 7);
   EXPECT_NEAR(before - stock.volume(), slot, 0.01 * slot);
 }
@@ -58,17 +59,29 @@ TEST(RemainingStock, ALyingToolCutsTheSameSlot) {
   RemainingStock stock(grid);
   const double before = stock.volume();
   const Vec3 axis = Vec3(0, 1, 0);
-  for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 14), axis, kRadius);
+  for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 14), axis, kBall);
   const double slot = 40 * (0.5 * kPi * kRadius * kRadius + 2 * kRadius * 20);
   EXPECT_NEAR(before - stock.volume(), slot, 0.01 * slot);
 }
 
 TEST(RemainingStock, AFlatEndCutsASquareSlot) {
   const voxel::VoxelGrid grid = block(1.0);
-  RemainingStock stock(grid, ToolEnd::Flat);
+  RemainingStock stock(grid);
   const double before = stock.volume();
-  for (double x = -5; x <= 45; x += 0.125) stock.cut(Vec3(x, 20, 13), Vec3::UnitZ(), kRadius);
+  for (double x = -5; x <= 45; x += 0.125)
+    stock.cut(Vec3(x, 20, 13 - kRadius), Vec3::UnitZ(), kFlat);
   const double slot = 40 * 2 * kRadius * 10;
+  EXPECT_NEAR(before - stock.volume(), slot, 0.02 * slot);
+}
+
+TEST(RemainingStock, ABullNoseLeavesTheCornersOfItsSlot) {
+  const voxel::VoxelGrid grid = block(1.0);
+  RemainingStock stock(grid);
+  const double before = stock.volume(), corner = 0.5 * kRadius;
+  const Tool tool{kRadius, 2, corner};
+  for (double x = -5; x <= 45; x += 0.125)
+    stock.cut(Vec3(x, 20, 13 - kRadius + corner), Vec3::UnitZ(), tool);
+  const double slot = 40 * (2 * kRadius * 10 - (2.0 - 0.5 * kPi) * corner * corner);
   EXPECT_NEAR(before - stock.volume(), slot, 0.02 * slot);
 }
 
@@ -87,21 +100,21 @@ RC_GTEST_PROP(RemainingStock, EqualsAskingEverySample, (unsigned seed)) {
       samples.push_back(2.0 * c.cast<double>() +
                         0.5 * (Vec3(n % 4, n / 4 % 4, n / 16) + Vec3::Constant(0.5)));
   });
-  const ToolEnd end = seed % 2 ? ToolEnd::Ball : ToolEnd::Flat;
-  RemainingStock stock(grid, end);
-  const double radius = 2.5 + 2.0 * number(random);
+  RemainingStock stock(grid);
+  Tool tool{2.5 + 2.0 * number(random), 2};
+  if (seed % 4 == 1) tool.corner_radius = 0.0;
+  if (seed % 4 == 2) tool.corner_radius = 0.3 * tool.radius;
+  if (seed % 4 == 3) tool.taper = Angle::degrees(15.0);
   for (int cut = 0; cut < 12; ++cut) {
     const Vec3 centre(18 + 25 * number(random), 12 + 18 * number(random), 10 + 14 * number(random));
     const Vec3 axis = Vec3(number(random), number(random), 1.01 + number(random)).normalized();
     const std::size_t before = samples.size();
     const auto in_tool = [&](const Vec3& p) {
-      const double up = (p - centre).dot(axis);
-      const double across = (p - centre - up * axis).norm();
-      if (end == ToolEnd::Flat) return up >= -radius && across <= radius;
-      return up >= 0.0 ? across <= radius : (p - centre).norm() <= radius;
+      const double up = (p - centre).dot(axis), above_tip = up + tool.corner();
+      return above_tip >= 0.0 && above_tip >= tool.height_at((p - centre - up * axis).norm());
     };
     samples.erase(std::remove_if(samples.begin(), samples.end(), in_tool), samples.end());
-    RC_ASSERT(stock.cut(centre, axis, radius) == (samples.size() < before));
+    RC_ASSERT(stock.cut(centre, axis, tool) == (samples.size() < before));
     RC_ASSERT(std::abs(stock.volume() - 0.125 * double(samples.size())) < 1e-6);
   }
 }
@@ -112,13 +125,13 @@ TEST(RemainingStock, KeepsSamplesOnlyWhereTheToolIsAtWork) {
   const voxel::VoxelGrid grid =
       voxel::voxelise(mesh::box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 40)),
                       mesh::box_mesh(Vec3(0, 0, 0), Vec3(40, 40, 8)), options);
-  RemainingStock stock(grid, ToolEnd::Flat);
+  RemainingStock stock(grid);
   EXPECT_EQ(stock.opened(), 0u);
   std::size_t most = 0;
   for (double z = 37.0; z >= 8.0; z -= 2.0)
     for (double y = 0; y <= 40; y += 5)
       for (double x = 0; x <= 40; x += 2) {
-        stock.cut(Vec3(x, y, z + kRadius), Vec3::UnitZ(), kRadius);
+        stock.cut(Vec3(x, y, z), Vec3::UnitZ(), kFlat);
         most = std::max(most, stock.opened());
       }
   EXPECT_LE(most, grid.table.size() / 4);
@@ -129,7 +142,7 @@ TEST(HurryInAir, ASecondPassOverTheSamePlaceIsAir) {
   const voxel::VoxelGrid grid = block(1.0);
   const ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10), Vec3(-5, 20, 10)}, 10.0);
   std::vector<std::int64_t> source;
-  const ToolPath out = hurry_in_air(path, grid, AirCutOptions{50.0, 0.0, ToolEnd::Ball}, &source);
+  const ToolPath out = hurry_in_air(path, grid, AirCutOptions{50.0, 0.0}, &source);
   ASSERT_EQ(source.size(), out.moves.size());
   double first = 0.0, second = 0.0;
   for (std::size_t i = 0; i < source.size(); ++i)
@@ -143,7 +156,7 @@ TEST(HurryInAir, ASecondPassOverTheSamePlaceIsAir) {
 TEST(HurryInAir, NeverSlowsAndNeverTouchesWhatCuts) {
   const voxel::VoxelGrid grid = block(2.0);
   const ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10)}, 80.0);
-  const ToolPath out = hurry_in_air(path, grid, AirCutOptions{50.0, 0.0, ToolEnd::Ball});
+  const ToolPath out = hurry_in_air(path, grid, AirCutOptions{50.0, 0.0});
   double sum = 0.0;
   for (const Move& m : out.moves) sum += duration(m, out.spindle);
   EXPECT_NEAR(sum, 50.0 / 80.0, 1e-9);
@@ -152,9 +165,9 @@ TEST(HurryInAir, NeverSlowsAndNeverTouchesWhatCuts) {
 TEST(HurryInAir, RefusesATextureAndABadFeed) {
   const voxel::VoxelGrid grid = block(2.0);
   ToolPath path = passes({Vec3(-5, 20, 10), Vec3(45, 20, 10)}, 10.0);
-  EXPECT_THROW(hurry_in_air(path, grid, AirCutOptions{0.0, 0.0, ToolEnd::Ball}), InputError);
+  EXPECT_THROW(hurry_in_air(path, grid, AirCutOptions{0.0, 0.0}), InputError);
   path.moves[0].dimple = 3;
-  EXPECT_THROW(hurry_in_air(path, grid, AirCutOptions{50.0, 0.0, ToolEnd::Ball}), InputError);
+  EXPECT_THROW(hurry_in_air(path, grid, AirCutOptions{50.0, 0.0}), InputError);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace patchmill::gcode {
 namespace {
 
-const BallEndMill kTool{1.0, 2};
+const Tool kTool{1.0, 2};
 const std::string kBegin = "M6 T1\nM3 S600\nG0 X0 Y0 Z20\nG0 X1 Y0 Z20\nG1 X0 F10\n";
 
 ProgramStyle style_of(const Control& control, int precision = 4) {

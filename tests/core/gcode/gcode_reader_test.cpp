@@ -13,7 +13,7 @@
 namespace patchmill::gcode {
 namespace {
 
-const BallEndMill kTool{1.0, 2};
+const Tool kTool{1.0, 2};
 
 TEST(ReadGcode, CountsTurnsInEveryFeedMode) {
   const Program program = read_gcode(

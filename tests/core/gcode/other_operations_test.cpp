@@ -15,7 +15,7 @@
 namespace patchmill::gcode {
 namespace {
 
-const BallEndMill kTool{1.0, 2};
+const Tool kTool{1.0, 2};
 constexpr double kPi = 3.14159265358979323846;
 const std::string kBegin = "M6 T1\nM3 S600\nG0 X0 Y0 Z20\nG0 X1 Y0 Z20\n";
 

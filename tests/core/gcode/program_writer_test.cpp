@@ -15,7 +15,7 @@
 namespace patchmill::gcode {
 namespace {
 
-const BallEndMill kTool{1.0, 2};
+const Tool kTool{1.0, 2};
 ProgramStyle style_of(const Control& control, int precision = 4) {
   ProgramStyle style;
   style.control = &control;

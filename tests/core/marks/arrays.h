@@ -15,7 +15,7 @@ inline Vec3 tilted_axis(double tilt, double towards) {
 }
 
 struct MarkMaker {
-  BallEndMill ball{1.0, 1};
+  Tool ball{1.0, 1};
   Spindle spindle{10.0, SpindleSense::M3};
   Vec3 axis = tilted_axis(kPi / 6, 0.3);
   Vec3 creep = Vec3::Zero();  ///< motion of the ball while it makes a mark [mm per turn]

@@ -8,7 +8,7 @@
 namespace patchmill::test {
 
 struct RowMaker {
-  BallEndMill ball{1.0, 2};
+  Tool ball{1.0, 2};
   Vec3 axis = tilted_axis(kPi / 4, kPi / 2);
   double feed_per_tooth = 0.5, cross_feed = 0.4;
   int marks = 12, rows = 8;

@@ -17,7 +17,7 @@
 namespace patchmill::sync {
 namespace {
 
-const BallEndMill kTool{1.0, 2};
+const Tool kTool{1.0, 2};
 const Spindle kM3{1000.0 / 60.0, SpindleSense::M3}, kM4{1000.0 / 60.0, SpindleSense::M4};
 
 ConstantFeed paper_rule(Angle step = {}) {
@@ -177,7 +177,7 @@ RC_GTEST_PROP(LinkCorners, KeepThePhaseToAHundredthOfAUnit, ()) {
 
 TEST(ConstantFeed, ErrorsNameThePropertyAndTheRemedy) {
   const patch::Dimples dimples = patch::table1_dimples(4, 1, 1);
-  auto property = [&](const BallEndMill& tool, const Spindle& spindle, ConstantFeed rule,
+  auto property = [&](const Tool& tool, const Spindle& spindle, ConstantFeed rule,
                       const patch::Dimples& d) -> std::string {
     try {
       constant_feed_path(d, tool, spindle, rule, Decimals(3));

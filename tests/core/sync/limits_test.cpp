@@ -38,7 +38,7 @@ TEST(PostedFeed, IsRoundedInTheUnitThatIsPosted) {
 }
 
 TEST(PredictedPhase, DoesNotDependOnWhereTheSpindleBegan) {
-  const BallEndMill tool{1.0, 2};
+  const Tool tool{1.0, 2};
   const Spindle spindle{1000.0 / 60.0, SpindleSense::M3};
   const Angle period = Angle::degrees(180);
   const patch::Dimples dimples = dimples_on({25.0, Vec3::Zero()}, 9.0, -8.0, 6);

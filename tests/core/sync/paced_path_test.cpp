@@ -17,7 +17,7 @@
 namespace patchmill::sync {
 namespace {
 
-const BallEndMill kTool{1.0, 2};
+const Tool kTool{1.0, 2};
 const Decimals kDecimals(4);
 
 machine::MotionModel machine(double acceleration = 2000.0) {

@@ -11,7 +11,7 @@
 namespace patchmill::sync {
 namespace {
 
-const BallEndMill kTool{1.0, 2};
+const Tool kTool{1.0, 2};
 
 TEST(ContactAzimuth, IsWhereTheBallTouches) {
   // a slope that rises towards +x touches the ball on its +x side: its normal leans to -x
@@ -44,7 +44,7 @@ RC_GTEST_PROP(PhaseRule, AdvanceBringsAFluteToTheNextContact, ()) {
   const Angle a = Angle::degrees(*rc::gen::inRange(-1800, 1800) / 10.0),
               b = Angle::degrees(*rc::gen::inRange(-1800, 1800) / 10.0);
   const Spindle spindle{10.0, sense};
-  const BallEndMill tool{1.0, flutes};
+  const Tool tool{1.0, flutes};
   const Angle period = phase_period(flutes, choice);
   const Angle advance = spindle_advance(a, b, rule, tool, spindle);
   RC_ASSERT(advance.turns() >= rule.extra_turns - 1e-12);

@@ -18,7 +18,7 @@ namespace patchmill::sync {
 namespace {
 
 const Decimals kDecimals(4);
-const BallEndMill kTool{1.0, 2};
+const Tool kTool{1.0, 2};
 const Spindle kSpindle{1000.0 / 60.0, SpindleSense::M3};
 
 struct Case {

@@ -144,7 +144,7 @@ PathClearance path_clearance(const mesh::TriangleBvh& part,
     for (int k = 0; k <= steps && path.moves[i].kind != MoveKind::Rapid; ++k) {
       const double s = double(k) / steps;
       const Vec3 axis = (from.axis + s * (to.axis - from.axis)).normalized();
-      const Vec3 centre = from.tip + s * (to.tip - from.tip) + path.tool.radius * axis;
+      const Vec3 centre = from.tip + s * (to.tip - from.tip) + path.tool.corner() * axis;
       const double d =
           holder_distance(part, holder, centre, axis, options.resolution, 2.0 * options.clearance);
       near = near || d < options.clearance - options.resolution;

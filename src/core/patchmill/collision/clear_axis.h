@@ -15,7 +15,7 @@
 
 namespace patchmill::collision {
 
-/// A section of shank or holder; heights above the ball centre [mm], 0 < from.
+/// A section of shank or holder; heights above the tool's centre (tool.h) [mm], 0 < from.
 using HolderSection = Frustum;
 
 struct ClearOptions {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/collision/clearance.h"
 
+#include "patchmill/collision/cell_search.h"
 #include "patchmill/geometry/error.h"
 
 #include <algorithm>
@@ -19,93 +20,7 @@ namespace {
 
 using Nearest = SectionDistance;
 
-struct FrustumCell {
-  double low[3], high[3];  // height, share of the radius, azimuth
-};
-
-class FrustumSearch {
- public:
-  FrustumSearch(const ToolSection& section, const PartDistance& distance, double resolution)
-      : section_(section), distance_(distance), resolution_(resolution) {}
-
-  /// Least distance of the frustum. Where it is above `limit` a lower bound will do: above
-  /// `enough`, or half of what there is over the limit. Below `limit` it is found to a fiftieth of
-  /// the shortfall; never finer than the resolution. NaN distance if it is unknown anywhere that
-  /// matters.
-  Nearest find(const ToolPose& pose, double limit, double enough) {
-    pose_ = pose;
-    x_ = any_normal_to(pose.axis);
-    y_ = pose.axis.cross(x_);
-    best_ = {};
-    queue_ = {};
-    push({{section_.from, 0.0, 0.0}, {section_.to, 1.0, 2.0 * kPi}});
-    while (!queue_.empty() && !std::isnan(best_.distance)) {
-      const Entry entry = queue_.top();
-      const double over = best_.distance - limit;
-      const double fine = std::max(resolution_, over < 0.0 ? -0.02 * over : 0.5 * over);
-      if (entry.bound > enough || best_.distance - entry.bound <= fine) {
-        if (entry.bound > limit) return {entry.bound, best_.place};
-        break;
-      }
-      queue_.pop();
-      halve(entry.cell);
-    }
-    return best_;
-  }
-
- private:
-  struct Entry {
-    double bound;
-    FrustumCell cell;
-    bool operator<(const Entry& other) const { return bound > other.bound; }
-  };
-
-  double radius_at(double height) const {
-    const double share = (height - section_.from) / (section_.to - section_.from);
-    return section_.radius_from + share * (section_.radius_to - section_.radius_from);
-  }
-
-  /// Radius of a ball around the cell's middle that holds the cell.
-  double size(const FrustumCell& c) const {
-    const double r = std::max(radius_at(c.low[0]), radius_at(c.high[0])) * c.high[1];
-    const double dr =
-        0.5 * (c.high[1] - c.low[1]) * std::max(section_.radius_from, section_.radius_to) +
-        0.5 * std::abs(radius_at(c.high[0]) - radius_at(c.low[0]));
-    const double round = std::min(0.5 * (c.high[2] - c.low[2]), 2.0) * r;
-    return std::hypot(0.5 * (c.high[0] - c.low[0]), std::min(dr + round, 2.0 * r));
-  }
-
-  void push(const FrustumCell& c) {
-    const double height = 0.5 * (c.low[0] + c.high[0]), azimuth = 0.5 * (c.low[2] + c.high[2]);
-    const double r = 0.5 * (c.low[1] + c.high[1]) * radius_at(height);
-    const Vec3 place =
-        pose_.tip + height * pose_.axis + r * (std::cos(azimuth) * x_ + std::sin(azimuth) * y_);
-    const double d = distance_(place);
-    if (d < best_.distance || std::isnan(d)) best_ = {d, place};
-    queue_.push({d - size(c), c});
-  }
-
-  /// Halves a cell where it is longest.
-  void halve(const FrustumCell& cell) {
-    const double r = std::max(radius_at(cell.low[0]), radius_at(cell.high[0]));
-    const double length[3] = {cell.high[0] - cell.low[0], (cell.high[1] - cell.low[1]) * r,
-                              (cell.high[2] - cell.low[2]) * r * cell.high[1]};
-    const auto axis = std::max_element(length, length + 3) - length;
-    const double middle = 0.5 * (cell.low[axis] + cell.high[axis]);
-    FrustumCell lower = cell, upper = cell;
-    lower.high[axis] = upper.low[axis] = middle;
-    push(lower);
-    push(upper);
-  }
-
-  const ToolSection& section_;
-  const PartDistance& distance_;
-  double resolution_;
-  ToolPose pose_;
-  Vec3 x_, y_;
-  Nearest best_;
-  std::priority_queue<Entry> queue_;
-};
+constexpr double kDisc = 1e-6;  // thickness of the disc in the end of a cutter that is no ball [mm]
 
 /// One move, as a pose for each share of it.
 struct Swing {
@@ -175,20 +90,35 @@ class Checker {
          });
   }
 
-  void section(std::int64_t number, const Swing& swing, const ToolSection& piece) {
-    const double reach = std::hypot(piece.to, std::max(piece.radius_from, piece.radius_to));
-    const double allowed = piece.part == ToolPart::Flute ? options_.tolerance : -options_.clearance;
+  /// The cutting end: all points within the corner's radius of a disc, the lower end of the cutter's core.
+  void end(std::int64_t number, const Swing& swing) {
+    const Tool& tool = path_.tool;
+    if (tool.is_ball()) return ball(number, swing);
+    const double r = tool.corner();
+    const Frustum disc = tool.core(r + kDisc);
+    section(number, swing, {ToolPart::End, disc.from, disc.to, disc.radius_from, disc.radius_to},
+            r);
+  }
+
+  /// A piece of the tool, thicker by `around` on all sides [mm].
+  void section(std::int64_t number, const Swing& swing, const ToolSection& piece,
+               double around = 0.0) {
+    const double reach =
+        std::hypot(piece.to, std::max(piece.radius_from, piece.radius_to)) + around;
+    const bool cuts = piece.part == ToolPart::Flute || piece.part == ToolPart::End;
+    const double allowed = cuts ? options_.tolerance : -options_.clearance;
+    const auto outside = [&](Nearest core) { return Nearest{core.distance - around, core.place}; };
     if (part_.section) {
       walk(number, swing, piece.part, reach, allowed,
            [&](const ToolPose& pose, double, double enough) {
-             return part_.section(piece, pose, enough);
+             return outside(part_.section(piece, pose, enough + around));
            });
       return;
     }
-    FrustumSearch search(piece, part_.distance, 0.5 * options_.resolution);
+    CellSearch search(piece, part_.distance, 0.5 * options_.resolution);
     walk(number, swing, piece.part, reach, allowed,
          [&](const ToolPose& pose, double limit, double enough) {
-           return search.find(pose, limit, enough);
+           return outside(search.find(pose, limit + around, enough + around));
          });
   }
 
@@ -217,6 +147,7 @@ class Checker {
 void require_valid(const ToolPath& path, const std::vector<ToolSection>& sections,
                    const ClearanceOptions& options) {
   require_positive("BallRadius", path.tool.radius, "mm");
+  require_valid(path.tool);
   require_in_range("Tolerance", options.tolerance, 0.0, 1e6, "mm");
   require_in_range("Clearance", options.clearance, 0.0, 1e6, "mm");
   require_in_range("Resolution", options.resolution, 1e-6, 1e6, "mm");
@@ -240,7 +171,7 @@ void check_moves(const ToolPath& path, const std::vector<ToolSection>& sections,
   for (std::size_t i = from; i < to && report.findings.size() < options.most_findings; ++i) {
     const Swing swing(i > 0 ? path.moves[i - 1].end : path.start, path.moves[i].end);
     const auto number = static_cast<std::int64_t>(i);
-    checker.ball(number, swing);
+    checker.end(number, swing);
     for (const ToolSection& piece : sections) checker.section(number, swing, piece);
   }
 }
@@ -251,6 +182,8 @@ const char* name(ToolPart part) {
   switch (part) {
     case ToolPart::Ball:
       return "ball";
+    case ToolPart::End:
+      return "cutting end";
     case ToolPart::Flute:
       return "flute";
     case ToolPart::Shank:

@@ -1,4 +1,4 @@
-// Gouge and collision: does the ball, the shank or the holder go deeper into the part than allowed,
+// Gouge and collision: does the cutting end, the shank or the holder go deeper into the part than allowed,
 // anywhere on a path, links and rapids included? By conservative advancement: the distance to the
 // part changes no faster than the tool moves, so a step may be as long as the clearance allows and
 // nothing is jumped over.
@@ -22,7 +22,8 @@ using PartDistance = std::function<double(const Vec3&)>;
 
 enum class ToolPart : std::uint8_t {
   Ball,
-  Flute,  ///< the cutting cylinder above the ball: cuts as the ball does
+  End,    ///< of a cutter that is no ball end mill: cuts as a ball does
+  Flute,  ///< the cutting cylinder above ball or end: cuts as they do
   Shank,
   Holder
 };

@@ -7,14 +7,9 @@
 #pragma once
 
 #include "patchmill/geometry/vec.h"
+#include "patchmill/tool/tool.h"
 
 namespace patchmill::collision {
-
-/// A frustum about an axis.
-struct Frustum {
-  double from = 0.0, to = 0.0;  ///< heights along the axis [mm], from < to, <= 1e4 long
-  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e4
-};
 
 struct SignedDistance {
   double value = 0.0;            ///< [mm], negative inside

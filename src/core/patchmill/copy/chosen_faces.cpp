@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/copy/chosen_faces.h"
 
-#include "patchmill/copy/drop_probe.h"
 #include "patchmill/copy/path_builder.h"
+#include "patchmill/copy/tool_drop.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,11 +23,13 @@ using Centres = std::vector<Vec3>;
 
 // Asked along one cut.
 struct WorksOn {
-  DropProbe drop;  // on the part
+  ToolProbe drop;  // on the part
   const mesh::TriangleBvh& faces;
   double radius, tolerance;
+  std::optional<ToolProbe> rests = {};  // on the faces: of a cutter that is no ball
 
-  bool touches(const Vec3& centre) const {
+  bool touches(const Vec3& centre) {
+    if (rests) return (*rests)(centre.x(), centre.y()) >= centre.z() - tolerance;
     return mesh::is_over(faces, centre, radius + tolerance, kOverEdge);
   }
 
@@ -71,10 +74,10 @@ std::vector<Centres> kept_of(const Centres& cut, WorksOn works) {
 // The cuts of a path as polylines of ball centres.
 std::vector<Centres> cuts_of(const ToolPath& path) {
   std::vector<Centres> cuts;
-  Vec3 from = ball_centre(path.start, path.tool.radius);
+  Vec3 from = centre_of(path.start, path.tool);
   bool cutting = false;
   for (const Move& move : path.moves) {
-    const Vec3 to = ball_centre(move.end, path.tool.radius);
+    const Vec3 to = centre_of(move.end, path.tool);
     const bool cut = move.kind == MoveKind::Cut;
     if (cut && !cutting) cuts.push_back({from});
     if (cut) cuts.back().push_back(to);
@@ -91,7 +94,8 @@ ToolPath over_faces(const ToolPath& path, const mesh::TriangleBvh& part,
                     const Progress& progress) {
   require_valid(options);
   const double radius = options.tool.radius + options.allowance;
-  const WorksOn works{DropProbe(part, radius), faces, radius, options.tolerance};
+  WorksOn works{ToolProbe(part, options.tool, options.allowance), faces, radius, options.tolerance};
+  if (!options.tool.is_ball()) works.rests.emplace(faces, options.tool, options.allowance);
   const std::vector<Centres> cuts = cuts_of(path);
   PathBuilder builder(options);
   constexpr std::size_t kBlock = 64;  // cuts side by side, asked to stop between blocks of them

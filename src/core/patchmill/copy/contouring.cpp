@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/copy/contouring.h"
 
-#include "patchmill/copy/drop_probe.h"
+#include "patchmill/copy/tool_drop.h"
 
 #include <cmath>
 
@@ -62,10 +62,10 @@ void clip_to_stock(const Polyline& curve, const mesh::Box& stock, double beyond,
 }
 
 // A probe for each thread; places that follow each other are near.
-using Probes = tbb::enumerable_thread_specific<DropProbe>;
+using Probes = tbb::enumerable_thread_specific<ToolProbe>;
 
 Probes probes(const mesh::TriangleBvh& part, const CopyOptions& options) {
-  return Probes(DropProbe(part, options.tool.radius + options.allowance));
+  return Probes(ToolProbe(part, options.tool, options.allowance));
 }
 
 }  // namespace

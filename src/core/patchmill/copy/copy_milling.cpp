@@ -18,6 +18,8 @@ namespace patchmill::copy {
 
 void require_valid(const CopyOptions& o) {
   require_positive("tool radius", o.tool.radius, "mm");
+  require_valid(o.tool);
+  if (o.mode == CopyMode::ScanningUndercut) require_ball(o.tool, "undercuts are scanned");
   require_positive("spindle speed", o.spindle.speed, "1/s");
   require_positive("feed", o.feed, "mm/s");
   require_positive("radial depth of cut", o.radial_depth, "mm");
@@ -38,10 +40,10 @@ void require_valid(const CopyOptions& o) {
 
 namespace {
 
-// Levels of the ball centre: one axial depth below the top, and so on down to the tip at the
+// Levels of the tool's centre: one axial depth below the top, and so on down to the tip at the
 // bottom.
 std::vector<double> levels(const CopyOptions& o) {
-  const double top = o.stock.hi.z() + o.tool.radius, bottom = o.stock.lo.z() + o.tool.radius;
+  const double top = o.stock.hi.z() + o.tool.corner(), bottom = o.stock.lo.z() + o.tool.corner();
   std::vector<double> z;
   for (int k = 1; top - k * o.axial_depth > bottom + 1e-9; ++k)
     z.push_back(top - k * o.axial_depth);
@@ -87,7 +89,7 @@ CopiedPath scan(const mesh::TriangleBvh& part, const CopyOptions& o, const Progr
       profile[j] = probe_profile(part, y[j], x0, x1, level.back(), o);
     });
   }
-  double above = o.stock.hi.z() + o.tool.radius;
+  double above = o.stock.hi.z() + o.tool.corner();
   for (std::size_t k = 0; k < level.size(); ++k) {
     if (!go_on(progress, 0.9 + 0.1 * double(k) / double(level.size()))) break;
     for (std::size_t j = 0; j < y.size(); ++j)
@@ -191,11 +193,6 @@ CopiedPath copy_mill(const mesh::TriangleBvh& part, const CopyOptions& options,
   if (options.mode == CopyMode::Contour) return contour(part, options, progress);
   if (options.mode == CopyMode::ScanningUndercut) return scan_undercut(part, options, progress);
   return scan(part, options, progress);
-}
-
-double scallop_height(double radius, double cross_feed) {
-  const double half = 0.5 * cross_feed;
-  return half < radius ? radius - std::sqrt(radius * radius - half * half) : radius;
 }
 
 }  // namespace patchmill::copy

@@ -10,6 +10,9 @@
 // the resting ball has that height, and outside it the curves at multiples of the radial depth,
 // from the stock inwards.
 //
+// The probe is the tool itself, thicker by the allowance: a ball, or any other cutter of tool.h; what is said of the
+// ball's centre here then holds for the tool's. The offset surface is that of a ball, and undercuts need one.
+//
 // Between two points of the path the ball runs straight. Points are close enough that this leaves
 // the curve by at most the tolerance.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -29,9 +32,9 @@ enum class CopyMode {
 
 struct CopyOptions {
   CopyMode mode = CopyMode::Scanning;
-  BallEndMill tool;
+  Tool tool;
   Spindle spindle;
-  double feed = 0.0;          ///< of the ball centre [mm/s], > 0
+  double feed = 0.0;          ///< of the tool's centre [mm/s], > 0
   double radial_depth = 0.0;  ///< cross-feed between planes or curves [mm], > 0
   double axial_depth = 0.0;   ///< between levels [mm], > 0
   double tolerance = 0.01;    ///< of the path from the exact curve [mm], in [1e-4, R]
@@ -43,7 +46,7 @@ struct CopyOptions {
   double overlap = 0.0;
 };
 
-/// Throws InputError for an option out of range or a stock of no volume.
+/// Throws InputError for an option out of range, a stock of no volume, or undercuts without a ball end mill.
 void require_valid(const CopyOptions& options);
 
 /// A path over the part, and what of it had to be left out.
@@ -56,9 +59,5 @@ struct CopiedPath {
 /// If `progress` asks for a stop, the path is what was done so far.
 CopiedPath copy_mill(const mesh::TriangleBvh& part, const CopyOptions& options,
                      const Progress& progress = {});
-
-/// Height of the ridge that a ball of radius R leaves on a flat between passes `cross_feed` apart
-/// [mm].
-double scallop_height(double radius, double cross_feed);
 
 }  // namespace patchmill::copy

@@ -52,6 +52,7 @@ LiveSession::LiveSession(const mesh::TriangleBvh& part, const voxel::VoxelGrid& 
     : part_(part), grid_(grid), options_(options), dcm_(dcm), factors_(std::move(factors)) {
   if (options.mode != CopyMode::Scanning)
     throw InputError("Mode", "not Scanning", "a live session cuts scanning lines.");
+  require_ball(options.tool, "a live session works");
   conditions_ = {options.radial_depth, options.axial_depth, feed};
   check(conditions_);
   require_valid(options);

@@ -51,7 +51,7 @@ void PathBuilder::cut(const std::vector<Vec3>& centres) {
 }
 
 void PathBuilder::cut_from_above(const std::vector<Vec3>& centres) {
-  const Vec3 down(0, 0, options_.tool.radius);
+  const Vec3 down(0, 0, options_.tool.corner());
   const Vec3 first = centres.front() - down;
   if ((first - tip_).norm() > 1e-9) {
     rapid({tip_.x(), tip_.y(), safe_});

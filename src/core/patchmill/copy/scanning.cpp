@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/copy/scanning.h"
 
-#include "patchmill/copy/drop_probe.h"
+#include "patchmill/copy/tool_drop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +20,11 @@ double chord_step(const CopyOptions& options) {
 }
 
 struct Probe {
-  DropProbe drop;
+  ToolProbe drop;
   double y, floor, tolerance;
 
   Vec2 operator()(double x) {
-    // the probe is larger by the allowance; its centre is that of the tool
+    // the probe is thicker by the allowance; its centre is that of the tool
     return {x, std::max(floor, drop(x, y))};
   }
 
@@ -54,7 +54,7 @@ Vec2 at_height(const Vec2& a, const Vec2& b, double z) {
 
 std::vector<Vec2> probe_profile(const mesh::TriangleBvh& part, double y, double x0, double x1,
                                 double floor, const CopyOptions& options) {
-  Probe probe{DropProbe(part, ball_radius(options)), y, floor, options.tolerance};
+  Probe probe{ToolProbe(part, options.tool, options.allowance), y, floor, options.tolerance};
   const int steps = std::max(1, static_cast<int>(std::ceil((x1 - x0) / chord_step(options))));
   std::vector<Vec2> profile{probe(x0)};
   for (int i = 1; i <= steps; ++i)

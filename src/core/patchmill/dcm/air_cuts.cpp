@@ -26,23 +26,35 @@ struct Scan {
 
 }  // namespace
 
-struct RemainingStock::Tool {
+// The cutter: all points within its corner of a core, a cylinder or a cone that begins at the centre (tool.h).
+struct RemainingStock::Swath {
   Vec3 centre, axis;
-  double radius;
-  ToolEnd end;
+  double corner, core;  // r, and the core's radius at the centre
+  double cosine, sine;  // of the taper
+
+  Swath(const Vec3& at, const Vec3& along, const Tool& tool)
+      : centre(at),
+        axis(along),
+        corner(tool.corner()),
+        core(tool.radius - tool.corner()),
+        cosine(std::cos(tool.taper.radians())),
+        sine(std::sin(tool.taper.radians())) {}
 
   // Is p in the tool, or no further than `more` from it (or a little further)?
   bool holds(const Vec3& p, double more) const {
     const Vec3 d = p - centre;
-    const double up = d.dot(axis), r = radius + more;
-    if (end == ToolEnd::Flat && up < -r) return false;
-    const double along = end == ToolEnd::Flat ? up : std::max(0.0, up);
-    return (d - along * axis).squaredNorm() <= r * r;
+    const double up = d.dot(axis), r = corner + more;
+    if (core == 0.0 && sine == 0.0)  // a ball: without a root
+      return (d - std::max(0.0, up) * axis).squaredNorm() <= r * r;
+    const double beside = (d - up * axis).norm() - core;
+    if (up * cosine + beside * sine > 0.0) return beside * cosine - up * sine <= r;
+    const double across = std::max(0.0, beside);
+    return up * up + across * across <= r * r;
   }
 };
 
-RemainingStock::RemainingStock(const voxel::VoxelGrid& grid, ToolEnd end)
-    : grid_(grid), end_(end), left_(grid.table.size()), emptied_(grid.table.size(), 0) {}
+RemainingStock::RemainingStock(const voxel::VoxelGrid& grid)
+    : grid_(grid), left_(grid.table.size()), emptied_(grid.table.size(), 0) {}
 
 RemainingStock::Samples RemainingStock::whole(std::size_t brick) const {
   Samples samples;
@@ -51,15 +63,14 @@ RemainingStock::Samples RemainingStock::whole(std::size_t brick) const {
   return samples;
 }
 
-bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, double radius) {
+bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, const Tool& cutter) {
   const voxel::GridFrame& frame = grid_.frame;
-  const Tool tool{centre, axis, radius, end_};
+  const Swath tool(centre, axis, cutter);
   // up to where the cylinder leaves the grid's box
   const Vec3 size = frame.pitch * frame.cells.cast<double>();
   const double height = size.norm() + (centre - frame.origin - 0.5 * size).norm();
   const Vec3 end = centre + height * axis;
-  // the rim of a flat end, which may lean, is further from the centre than a ball
-  const double reach = end_ == ToolEnd::Flat ? std::sqrt(2.0) * radius : radius;
+  const double reach = cutter.radius + height * std::tan(cutter.taper.radians());
   voxel::Cell lo, hi;  // cells, hi not among them
   for (int k = 0; k < 3; ++k) {
     const double a = (std::min(centre[k], end[k]) - reach - frame.origin[k]) / frame.pitch;
@@ -83,7 +94,7 @@ bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, double radius) {
 }
 
 bool RemainingStock::cut_brick(std::size_t brick, const voxel::Cell& lo, const voxel::Cell& hi,
-                               const Tool& tool) {
+                               const Swath& tool) {
   const voxel::GridFrame& frame = grid_.frame;
   const double half_diagonal = 0.5 * std::sqrt(3.0) * frame.pitch;
   if (!left_[brick]) left_[brick] = std::make_unique<Samples>(whole(brick));
@@ -127,15 +138,15 @@ std::size_t RemainingStock::opened() const {
 
 namespace {
 
-Scan scan(const ToolPose& from, const ToolPose& to, double radius, double step,
+Scan scan(const ToolPose& from, const ToolPose& to, const Tool& tool, double step,
           RemainingStock& stock) {
-  const Vec3 a = ball_centre(from, radius), b = ball_centre(to, radius);
+  const Vec3 a = centre_of(from, tool), b = centre_of(to, tool);
   Scan out;
   out.steps = std::max(1, static_cast<int>(std::ceil((b - a).norm() / step)));
   for (int i = 0; i < out.steps; ++i) {
     const double t = (i + 1.0) / out.steps;
     const Vec3 axis = (from.axis + t * (to.axis - from.axis)).normalized();
-    out.air.push_back(stock.cut(a + t * (b - a), axis, radius) ? 0 : 1);
+    out.air.push_back(stock.cut(a + t * (b - a), axis, tool) ? 0 : 1);
   }
   return out;
 }
@@ -159,6 +170,7 @@ void keep_slow(std::vector<char>& air, int before, int shortest) {
 void check(const ToolPath& path, const AirCutOptions& options) {
   require_positive("feed in air", options.feed, "mm/s");
   require_positive("tool radius", path.tool.radius, "mm");
+  require_valid(path.tool);
   require_positive("spindle speed", path.spindle.speed, "1/s");
   require_in_range("shortest air cut", options.shortest, 0.0, 1e6, "mm");
   for (const Move& move : path.moves)
@@ -172,9 +184,9 @@ void check(const ToolPath& path, const AirCutOptions& options) {
 ToolPath hurry_in_air(const ToolPath& path, const voxel::VoxelGrid& grid,
                       const AirCutOptions& options, std::vector<std::int64_t>* source) {
   check(path, options);
-  const double step = 0.25 * grid.frame.pitch, radius = path.tool.radius;
+  const double step = 0.25 * grid.frame.pitch;
   const double shortest = options.shortest > 0.0 ? options.shortest : grid.frame.pitch;
-  RemainingStock stock(grid, options.end);
+  RemainingStock stock(grid);
   ToolPath out = path;
   out.moves.clear();
   if (source) source->clear();
@@ -183,7 +195,7 @@ ToolPath hurry_in_air(const ToolPath& path, const voxel::VoxelGrid& grid,
   std::vector<int> steps;
   ToolPose from = path.start;
   for (const Move& move : path.moves) {
-    Scan scanned = scan(from, move.end, radius, step, stock);
+    Scan scanned = scan(from, move.end, path.tool, step, stock);
     if (move.kind == MoveKind::Rapid) scanned.air.assign(scanned.air.size(), 0);
     steps.push_back(scanned.steps);
     air.insert(air.end(), scanned.air.begin(), scanned.air.end());
@@ -194,15 +206,16 @@ ToolPath hurry_in_air(const ToolPath& path, const voxel::VoxelGrid& grid,
   std::size_t at = 0;
   for (std::size_t m = 0; m < path.moves.size(); ++m) {
     const Move& move = path.moves[m];
-    const Vec3 a = ball_centre(from, radius), b = ball_centre(move.end, radius);
+    const Vec3 a = centre_of(from, path.tool), b = centre_of(move.end, path.tool);
     for (int i = 0; i < steps[m];) {
       int j = i;
       while (j < steps[m] && air[at + j] == air[at + i]) ++j;
       const double t = double(j) / steps[m], share = double(j - i) / steps[m];
       Move piece = move;
       if (j < steps[m])
-        piece.end = pose_of_ball(
-            a + t * (b - a), (from.axis + t * (move.end.axis - from.axis)).normalized(), radius);
+        piece.end = pose_of_ball(a + t * (b - a),
+                                 (from.axis + t * (move.end.axis - from.axis)).normalized(),
+                                 path.tool.corner());
       piece.turns = share * move.turns;
       if (air[at + i])
         piece.turns =

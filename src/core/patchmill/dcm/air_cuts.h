@@ -14,21 +14,16 @@
 
 namespace patchmill::dcm {
 
-enum class ToolEnd {
-  Ball,
-  Flat  ///< a cylinder that ends at the tip, `radius` below the centre
-};
-
 /// What is left of the material to be removed. Samples are kept only for bricks that the tool has been in and
 /// not emptied: 4 KiB each, of which a path that goes layer by layer has few at a time. The grid must live as
 /// long.
 class RemainingStock {
  public:
-  explicit RemainingStock(const voxel::VoxelGrid& grid, ToolEnd end = ToolEnd::Ball);
+  explicit RemainingStock(const voxel::VoxelGrid& grid);
 
-  /// Takes away what the tool holds: the ball of `radius` [mm] at the centre and the cylinder of that radius
-  /// above it. Returns whether anything was there.
-  bool cut(const Vec3& centre, const Vec3& axis, double radius);
+  /// Takes away what the cutter holds with the tool's centre (tool.h) at a place [mm], its flank going on upwards.
+  /// Returns whether anything was there.
+  bool cut(const Vec3& centre, const Vec3& axis, const Tool& tool);
 
   /// Volume of the samples that are left [mm^3].
   double volume() const;
@@ -37,13 +32,13 @@ class RemainingStock {
   std::size_t opened() const;
 
  private:
-  struct Tool;
+  struct Swath;
   using Samples = std::array<std::uint64_t, voxel::kBrickCells>;  // per cell; bit x + 4 y + 16 z
   Samples whole(std::size_t brick) const;
-  bool cut_brick(std::size_t brick, const voxel::Cell& lo, const voxel::Cell& hi, const Tool& tool);
+  bool cut_brick(std::size_t brick, const voxel::Cell& lo, const voxel::Cell& hi,
+                 const Swath& tool);
 
   const voxel::VoxelGrid& grid_;
-  ToolEnd end_;
   std::vector<std::unique_ptr<Samples>> left_;  // per stored brick; null: whole, or emptied
   std::vector<std::uint8_t> emptied_;
 };
@@ -52,7 +47,6 @@ struct AirCutOptions {
   double feed = 0.0;  ///< V_Air [mm/s], > 0
   double shortest =
       0.0;  ///< no stretch of air shorter than this is hurried over [mm]; 0: one voxel
-  ToolEnd end = ToolEnd::Ball;
 };
 
 /// The path with its timed moves divided where cutting and air meet, those in air at V_Air where that is

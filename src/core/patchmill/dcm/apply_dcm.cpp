@@ -54,7 +54,8 @@ class Divider {
   }
 
  private:
-  double radius() const { return path_.tool.radius; }
+  // how far the tool's centre is above its tip
+  double radius() const { return path_.tool.corner(); }
 
   Span span(const ToolPose& from, const ToolPose& to) const {
     Span s{from, to, ball_centre(from, radius()), ball_centre(to, radius()), Vec3::Zero(), 0.0};
@@ -178,9 +179,9 @@ void limit_acceleration(ToolPath& path, double acceleration) {
   if (!std::isfinite(acceleration)) return;
   const std::size_t n = path.moves.size();
   std::vector<double> length(n, 0.0), speed(n, 0.0);
-  Vec3 from = ball_centre(path.start, path.tool.radius);
+  Vec3 from = centre_of(path.start, path.tool);
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec3 to = ball_centre(path.moves[i].end, path.tool.radius);
+    const Vec3 to = centre_of(path.moves[i].end, path.tool);
     length[i] = (to - from).norm();
     from = to;
     const double seconds = duration(path.moves[i], path.spindle);
@@ -204,6 +205,8 @@ void check(const ToolPath& path, const voxel::VoxelGrid& grid, const FeedField* 
   if (feed) require_over(grid, *feed);
   if (posture) require_over(grid, *posture);
   require_positive("tool radius", path.tool.radius, "mm");
+  require_valid(path.tool);
+  if (posture) require_ball(path.tool, "a path is tilted");
   require_positive("spindle speed", path.spindle.speed, "1/s");
   require_positive("feed tolerance", options.feed_tolerance, "mm/s");
   require_positive("axis tolerance", options.axis_tolerance.degrees(), "degrees");
@@ -237,7 +240,7 @@ PathSteps path_steps(const ToolPath& path) {
   double last = std::numeric_limits<double>::quiet_NaN();
   Vec3 heading = Vec3::Zero();
   for (const Move& move : path.moves) {
-    const Vec3 way = ball_centre(move.end, path.tool.radius) - ball_centre(from, path.tool.radius);
+    const Vec3 way = centre_of(move.end, path.tool) - centre_of(from, path.tool);
     const double length = way.norm();
     const double turn = Angle::between(from.axis, move.end.axis).radians();
     from = move.end;

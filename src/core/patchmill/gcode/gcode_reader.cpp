@@ -15,7 +15,7 @@ constexpr double kSpread = 0.0127;  // of an arc's radii at its ends, as LinuxCN
 
 class Reader {
  public:
-  Reader(const BallEndMill& tool, const ReadOptions& options) : tool_(tool), options_(options) {}
+  Reader(const Tool& tool, const ReadOptions& options) : tool_(tool), options_(options) {}
   void read(std::string_view text, long number) {
     const GcodeBlock block = read_block(text, number, options_, state_);
     if (block.offset) lose_position();
@@ -46,7 +46,7 @@ class Reader {
               long line);
   void close_section();
 
-  BallEndMill tool_;
+  Tool tool_;
   ReadOptions options_;
   GcodeState state_;
   ProgramSection section_;
@@ -247,7 +247,7 @@ void each_line(std::string_view text, const Line& line) {
 
 }  // namespace
 
-Program read_gcode(std::string_view text, const BallEndMill& tool, const ReadOptions& options) {
+Program read_gcode(std::string_view text, const Tool& tool, const ReadOptions& options) {
   Reader reader(tool, options);
   each_line(text, [&](std::string_view line, long number) { reader.read(line, number); });
   return reader.take();

@@ -47,7 +47,7 @@ struct Program {
 /// moves before that have unknown turns. Errors: InputError "G-code line n" for anything not understood: rotary
 /// words other than 0 unless they are to be read, variables, words that the control does not have or that may not
 /// stand together.
-Program read_gcode(std::string_view text, const BallEndMill& tool, const ReadOptions& options = {});
+Program read_gcode(std::string_view text, const Tool& tool, const ReadOptions& options = {});
 
 /// A line of a program that has words.
 struct ProgramLine {

@@ -34,11 +34,11 @@ double bend(const machine::Kinematics& machine, const Vec3& a, const machine::Jo
 }  // namespace
 
 machine::Kinematics with_tool(const machine::Kinematics& machine, double tool_length,
-                              const ProgramForm& form, const BallEndMill& tool) {
+                              const ProgramForm& form, const Tool& tool) {
   require_finite("ToolLength", tool_length, "mm");
   machine::Kinematics out = machine;
   out.tool_length =
-      tool_length - (form.reference == ReferencePoint::BallCentre ? tool.radius : 0.0);
+      tool_length - (form.reference == ReferencePoint::BallCentre ? tool.corner() : 0.0);
   return out;
 }
 
@@ -55,7 +55,7 @@ machine::PosturePath programmed(const machine::PosturePath& posture,
                                 const machine::Kinematics& machine, const ProgramForm& form) {
   require_positive("Chord", form.chord, "mm");
   require_in_range("ChordClear", form.chord_clear, 0.0, 1e6, "mm");
-  const double radius = posture.path.tool.radius;
+  const double radius = posture.path.tool.corner();
   machine::PosturePath out{posture.path, {posture.joints.at(0)}};
   out.path.moves.clear();
   const auto told = [&](const Vec3& point, const machine::Joints& q) {
@@ -92,7 +92,7 @@ machine::PosturePath on_degrees(machine::PosturePath posture, const machine::Kin
   for (machine::Joints& q : posture.joints)
     for (double& angle : q)
       angle = Angle::degrees(degrees.round(Angle::radians(angle).degrees())).radians();
-  const double radius = posture.path.tool.radius;
+  const double radius = posture.path.tool.corner();
   const auto turned = [&](const ToolPose& pose, const machine::Joints& q) {
     return pose_of_ball(ball_centre(pose, radius), machine::tool_axis(machine, q), radius);
   };
@@ -111,7 +111,7 @@ machine::PosturePath on_decimals(machine::PosturePath programmed, const Decimals
 ToolPath work_path(const machine::PosturePath& posture, const machine::Kinematics& machine,
                    const ProgramForm& form) {
   ToolPath path = posture.path;
-  const double radius = path.tool.radius;
+  const double radius = path.tool.corner();
   const auto pose = [&](const Vec3& told, const machine::Joints& q) {
     const Vec3 axis = machine::tool_axis(machine, q);
     const Vec3 point = form.tcp ? told : machine::in_work_frame(machine, told, q);

@@ -24,7 +24,7 @@ struct ProgramForm {
 /// Kinematics with the tool length that belongs to the reference point. `tool_length`: from the gauge
 /// point to the tip [mm]. Errors: InputError naming ToolLength (not finite).
 machine::Kinematics with_tool(const machine::Kinematics& machine, double tool_length,
-                              const ProgramForm& form, const BallEndMill& tool);
+                              const ProgramForm& form, const Tool& tool);
 
 /// Into how many parts programmed() splits a move of `kind` between two programmed points: 1 to 10,000.
 int split_parts(const machine::Kinematics& machine, const ProgramForm& form, MoveKind kind,

@@ -50,6 +50,7 @@ class PathReader {
       throw InputError("HousingAxis", fmt::format("{} vectors", options.housing_x.size()),
                        "give one for the start and one per move.");
     require_positive("BallRadius", path.tool.radius, "mm");
+    require_ball(path.tool, "marks are simulated");
     require_finite("StartPhase", options.start_phase.radians(), "rad");
     for (const Vec3& x : options.housing_x) unit_along("HousingAxis", x);
     motion_.sense = path.spindle.sense;

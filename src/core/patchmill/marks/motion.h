@@ -12,7 +12,7 @@ namespace patchmill::marks {
 
 /// A ball-end mill as the simulator sees it.
 struct Cutter {
-  BallEndMill ball;
+  Tool ball;
   Angle helix;  ///< lead of the edge: it lags by z tan(helix) / R at height z above the tip; 0 =
                 ///< meridian
   /// How far the edge of flute i stands out beyond the nominal ball, along the ball's normal [mm];

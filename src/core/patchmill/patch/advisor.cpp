@@ -100,6 +100,7 @@ const char* name(Kept kept) {
 
 FreePatch wished_patch(const MarkWish& wish) {
   require_positive("BallRadius", wish.tool.radius, "mm");
+  require_ball(wish.tool, "free-form textures are milled");
   require_in_range("Flutes", wish.tool.flutes, 1, 32, "flutes");
   require_positive("SpindleSpeed", wish.spindle_speed * 60.0, "rpm");
   require_in_range("Corners", wish.corners, 3, 360, "corners");

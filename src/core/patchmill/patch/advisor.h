@@ -20,7 +20,7 @@ namespace patchmill::patch {
 
 /// What the user wants. Give either `feed_per_tooth` or `ridge_height`.
 struct MarkWish {
-  BallEndMill tool;
+  Tool tool;
   double spindle_speed = 0.0;            ///< S [revolutions per second]
   int corners = 4;                       ///< m
   double side = 0.0;                     ///< a [mm]

@@ -7,6 +7,7 @@
 
 #include "patchmill/geometry/angle.h"
 #include "patchmill/geometry/vec.h"
+#include "patchmill/tool/tool.h"
 
 #include <cstdint>
 #include <limits>
@@ -20,13 +21,12 @@ struct ToolPose {
   Vec3 axis = Vec3::UnitZ();
 };
 
-struct BallEndMill {
-  double radius = 0.0;  ///< R [mm]
-  int flutes = 0;       ///< N
-};
-
 inline Vec3 ball_centre(const ToolPose& pose, double radius) {
   return pose.tip + radius * pose.axis;
+}
+/// The tool's centre: of a ball its centre, of a flat end the tip (tool.h).
+inline Vec3 centre_of(const ToolPose& pose, const Tool& tool) {
+  return ball_centre(pose, tool.corner());
 }
 inline ToolPose pose_of_ball(const Vec3& centre, const Vec3& axis, double radius) {
   return {centre - radius * axis, axis};
@@ -71,7 +71,7 @@ struct Move {
 };
 
 struct ToolPath {
-  BallEndMill tool;
+  Tool tool;
   Spindle spindle;
   ToolPose start;
   std::vector<Move> moves;  ///< move i starts where move i-1 ends; move 0 at `start`

@@ -20,7 +20,7 @@ bool follows(const PlannedDimple& a, const PlannedDimple& b) {
   return a.patch == b.patch && b.number == a.number + 1;
 }
 
-void require_valid(const ConstantFeed& rule, const BallEndMill& tool, const Spindle& spindle) {
+void require_valid(const ConstantFeed& rule, const Tool& tool, const Spindle& spindle) {
   require_positive("Feed", rule.feed * 60.0, "mm/min");
   require_turning_tool(tool, spindle);
   require_valid(rule.phase, tool.flutes);
@@ -58,9 +58,8 @@ Vec3 apex(const Vec3& a, const Vec3& b, const Vec3& up, double length) {
   return a + 0.5 * across + h * lift.normalized();
 }
 
-ToolPath constant_feed_path(const patch::Dimples& dimples, const BallEndMill& tool,
-                            const Spindle& spindle, const ConstantFeed& rule,
-                            const Decimals& decimals) {
+ToolPath constant_feed_path(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
+                            const ConstantFeed& rule, const Decimals& decimals) {
   require_valid(rule, tool, spindle);
   const std::vector<PlannedDimple> planned =
       planned_dimples(dimples, tool.radius, rule.phase, decimals);

@@ -32,9 +32,8 @@ double posted_feed(double feed, const Decimals& decimals);
 /// Feed (not positive, or too small for the turns asked: L_k < d_k), SpindleSpeed, Flutes,
 /// ExtraTurns, SafeHeight (a dimple or apex is higher), ClearanceHeight (below the safe height),
 /// Dimples (none is left to cut).
-ToolPath constant_feed_path(const patch::Dimples& dimples, const BallEndMill& tool,
-                            const Spindle& spindle, const ConstantFeed& rule,
-                            const Decimals& decimals);
+ToolPath constant_feed_path(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
+                            const ConstantFeed& rule, const Decimals& decimals);
 
 /// The corner of a dimple step of two equal legs of together `length`: a + (b - a) / 2 lifted by h
 /// at right angles to b - a towards `up`. Errors: none; `length` >= |b - a|.

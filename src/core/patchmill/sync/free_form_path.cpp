@@ -13,8 +13,8 @@
 namespace patchmill::sync {
 namespace {
 
-void require_valid(const patch::FreeTexture& texture, const BallEndMill& tool,
-                   const Spindle& spindle, const ConstantFeed& rule) {
+void require_valid(const patch::FreeTexture& texture, const Tool& tool, const Spindle& spindle,
+                   const ConstantFeed& rule) {
   require_positive("Feed", rule.feed * 60.0, "mm/min");
   require_turning_tool(tool, spindle);
   require_in_range("Flutes", tool.flutes, 1, 32, "flutes");
@@ -75,7 +75,7 @@ class PatchTips {
 }  // namespace
 
 ToolPath free_form_path(const patch::FreeTexture& texture, const patch::Dimples& dimples,
-                        const BallEndMill& tool, const Spindle& spindle, const ConstantFeed& rule,
+                        const Tool& tool, const Spindle& spindle, const ConstantFeed& rule,
                         const Decimals& decimals) {
   require_valid(texture, tool, spindle, rule);
   require_of(texture, dimples);

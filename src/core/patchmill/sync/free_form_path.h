@@ -19,7 +19,7 @@ namespace patchmill::sync {
 /// texture's by one part in 10⁶, ExtraTurns or SameFlute if the rule is not one tooth of any flute, or Dimples
 /// if they are not the texture's.
 ToolPath free_form_path(const patch::FreeTexture& texture, const patch::Dimples& dimples,
-                        const BallEndMill& tool, const Spindle& spindle, const ConstantFeed& rule,
+                        const Tool& tool, const Spindle& spindle, const ConstantFeed& rule,
                         const Decimals& decimals);
 
 /// Phase differences of neighbouring passes of patch number `patch` as a path makes them: teeth are

@@ -27,7 +27,7 @@ struct Step {
   double pitch() const { return length / turns; }
 };
 
-void require_valid(const PacedRule& rule, std::size_t dimples, const BallEndMill& tool,
+void require_valid(const PacedRule& rule, std::size_t dimples, const Tool& tool,
                    const Spindle& spindle, const machine::MotionModel& model) {
   require_valid(model);
   require_valid(rule.phase, tool.flutes);
@@ -55,7 +55,7 @@ double row_turns(double advance, double period) {
 }
 
 std::vector<Step> steps_between(const std::vector<PlannedDimple>& planned, const PacedRule& rule,
-                                const BallEndMill& tool, const Spindle& spindle) {
+                                const Tool& tool, const Spindle& spindle) {
   const double period = phase_period(tool.flutes, rule.phase.flutes).turns();
   std::vector<Step> steps;
   for (std::size_t i = 0; i + 1 < planned.size(); ++i) {
@@ -75,7 +75,7 @@ std::vector<Step> steps_between(const std::vector<PlannedDimple>& planned, const
 class Builder {
  public:
   Builder(const std::vector<PlannedDimple>& planned, const std::vector<Step>& steps,
-          const PacedRule& rule, const BallEndMill& tool, const Spindle& spindle,
+          const PacedRule& rule, const Tool& tool, const Spindle& spindle,
           const machine::MotionModel& model, const Decimals& decimals)
       : planned_(planned),
         steps_(steps),
@@ -274,7 +274,7 @@ void require_reachable(const std::vector<PlannedDimple>& planned, const std::vec
 
 }  // namespace
 
-PacedPath paced_path(const patch::Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
+PacedPath paced_path(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
                      const PacedRule& rule, const machine::MotionModel& model,
                      const Decimals& decimals) {
   require_valid(rule, dimples.size(), tool, spindle, model);

@@ -43,7 +43,7 @@ struct PacedPath {
 /// naming SpindleLock (the model's controller cannot), MaxVelocity (one tooth per dimple is too
 /// fast for an axis), ExtraTurns, Flutes, Lift, Turning (0 .. 1e6 s), ToolAxis (a wrong number), SafeHeight, ClearanceHeight, Dimples, or the
 /// model's own.
-PacedPath paced_path(const patch::Dimples& dimples, const BallEndMill& tool, const Spindle& spindle,
+PacedPath paced_path(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
                      const PacedRule& rule, const machine::MotionModel& model,
                      const Decimals& decimals);
 

@@ -36,7 +36,7 @@ Angle contact_azimuth(const patch::Dimples& dimples, std::size_t k, const PhaseR
   return rule.azimuths[k];
 }
 
-Angle spindle_advance(Angle from, Angle to, const PhaseRule& rule, const BallEndMill& tool,
+Angle spindle_advance(Angle from, Angle to, const PhaseRule& rule, const Tool& tool,
                       const Spindle& spindle) {
   const Angle period = phase_period(tool.flutes, rule.flutes);
   Angle lambda = (spindle.sign() * (to - from)).wrapped(period);

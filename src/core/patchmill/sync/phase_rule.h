@@ -42,7 +42,7 @@ Angle contact_azimuth(const patch::Dimples& dimples, std::size_t k, const PhaseR
 
 /// Lambda from contact azimuth `from` to `to`; >= 0. A difference that is a whole period but for
 /// rounding (1e-9 rad) counts as none.
-Angle spindle_advance(Angle from, Angle to, const PhaseRule& rule, const BallEndMill& tool,
+Angle spindle_advance(Angle from, Angle to, const PhaseRule& rule, const Tool& tool,
                       const Spindle& spindle);
 
 /// The spindle angle, modulo the phase period, that each dimple wants, indexed by dimple number:

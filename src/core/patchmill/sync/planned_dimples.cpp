@@ -24,9 +24,10 @@ std::vector<PlannedDimple> planned_dimples(const patch::Dimples& dimples, double
   return planned;
 }
 
-void require_turning_tool(const BallEndMill& tool, const Spindle& spindle) {
+void require_turning_tool(const Tool& tool, const Spindle& spindle) {
   require_positive("SpindleSpeed", spindle.speed * 60.0, "rpm");
-  require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
+  require_valid(tool);
+  require_ball(tool, "textures are milled");
 }
 
 void require_heights(double safe_height, double clearance_height) {

@@ -24,7 +24,7 @@ std::vector<PlannedDimple> planned_dimples(const patch::Dimples& dimples, double
                                            const PhaseRule& rule, const Decimals& decimals);
 
 /// Errors: InputError naming SpindleSpeed or ToolDiameter unless both are greater than zero.
-void require_turning_tool(const BallEndMill& tool, const Spindle& spindle);
+void require_turning_tool(const Tool& tool, const Spindle& spindle);
 
 /// Z of the tip where it travels over the texture, and before and after it [mm]. Errors: InputError naming
 /// ClearanceHeight if that is the lower one, or the one that is not finite.

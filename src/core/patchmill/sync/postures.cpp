@@ -82,7 +82,7 @@ PosturePlan plan_postures(const machine::Kinematics& machine, const patch::Dimpl
 
 std::vector<double> turning_seconds(const machine::Kinematics& machine,
                                     const patch::Dimples& dimples, const Postures& postures,
-                                    const BallEndMill& tool, const machine::MotionModel& model,
+                                    const Tool& tool, const machine::MotionModel& model,
                                     const gcode::ProgramForm& form) {
   require_one_each("Postures", postures.joints.size(), dimples.size(), "dimples");
   std::vector<double> seconds(dimples.size(), 0.0);

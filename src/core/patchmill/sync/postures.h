@@ -42,7 +42,7 @@ PosturePlan plan_postures(const machine::Kinematics& machine, const patch::Dimpl
 /// `machine`: with_tool(). Errors: InputError naming Postures if they are of other dimples.
 std::vector<double> turning_seconds(const machine::Kinematics& machine,
                                     const patch::Dimples& dimples, const Postures& postures,
-                                    const BallEndMill& tool, const machine::MotionModel& model,
+                                    const Tool& tool, const machine::MotionModel& model,
                                     const gcode::ProgramForm& form);
 
 /// `vertical`: a path that a strategy planned with the postures' azimuths, for a vertical tool. The

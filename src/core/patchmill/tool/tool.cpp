@@ -1,0 +1,88 @@
+// Profiles of cutters; see tool.h.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/tool/tool.h"
+
+#include "patchmill/geometry/error.h"
+#include "patchmill/geometry/require.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace patchmill {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+const char* name(CutterShape shape) {
+  switch (shape) {
+    case CutterShape::Ball:
+      return "ball end mill";
+    case CutterShape::BullNose:
+      return "bull nose end mill";
+    case CutterShape::Flat:
+      return "flat end mill";
+    default:
+      return "tapered ball end mill";
+  }
+}
+
+CutterShape Tool::shape() const {
+  if (corner() == radius) return is_ball() ? CutterShape::Ball : CutterShape::TaperedBall;
+  return corner() > 0.0 ? CutterShape::BullNose : CutterShape::Flat;
+}
+
+double Tool::height_at(double distance) const {
+  const double r = corner(), out = distance - (radius - r);
+  if (out <= 0.0) return 0.0;
+  const double a = taper.radians(), last = r * std::cos(a);  // where the circle meets the flank
+  if (out <= last) return r - std::sqrt(std::max(0.0, r * r - out * out));
+  return a > 0.0 ? r - r * std::sin(a) + (out - last) / std::tan(a) : kInfinite;
+}
+
+double Tool::slope_at(double distance) const {
+  const double r = corner(), out = distance - (radius - r);
+  if (out <= 0.0) return 0.0;
+  const double a = taper.radians();
+  if (out < r * std::cos(a)) return out / std::sqrt(r * r - out * out);
+  return a > 0.0 ? 1.0 / std::tan(a) : kInfinite;
+}
+
+double Tool::distance_at_slope(double slope) const {
+  const double r = corner(),
+               steepest = taper.radians() > 0.0 ? 1.0 / std::tan(taper.radians()) : kInfinite;
+  const double s = std::min(slope, steepest);
+  return radius - r + (std::isinf(s) ? r : r * s / std::hypot(1.0, s));
+}
+
+Frustum Tool::core(double height) const {
+  const double r = corner(), to = std::max(height, r * (1.0 + 1e-9) + 1e-9);
+  return {r, to, radius - r, radius - r + (to - r) * std::tan(taper.radians())};
+}
+
+void require_valid(const Tool& tool) {
+  require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
+  require_in_range("CornerRadius", tool.corner(), 0.0, tool.radius, "mm");
+  require_in_range("TaperAngle", tool.taper.degrees(), 0.0, 60.0, "degrees");
+  if (tool.taper.radians() > 0.0 && tool.corner() < tool.radius)
+    throw InputError("TaperAngle", fmt::format("{:.6g} degrees", tool.taper.degrees()),
+                     "give 0 for a tool that does not end in a ball.");
+}
+
+void require_ball(const Tool& tool, const char* work) {
+  if (tool.is_ball()) return;
+  throw InputError("ToolController", name(tool.shape()),
+                   fmt::format("{} with a ball end mill: choose one.", work));
+}
+
+double scallop_height(const Tool& tool, double cross_feed) {
+  const double r = tool.corner(), half = std::max(0.0, 0.5 * cross_feed - (tool.radius - r));
+  if (half == 0.0) return 0.0;
+  return tool.height_at(std::min(half + tool.radius - r, tool.radius));
+}
+
+}  // namespace patchmill

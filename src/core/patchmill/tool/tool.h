@@ -1,0 +1,65 @@
+// Tool: the one place that knows the shape of a cutter. Its cutting end is a circle of `corner_radius` r whose centre
+// runs round the axis at the distance R - r, and above it a flank along the axis or leaning out by the taper: the
+// cutter of the APT language (ISO 4343) with R, r and one angle.
+//     ball r = R        bull nose 0 < r < R        flat r = 0        tapered ball r = R, taper > 0
+// All of them are a core, a frustum, made thicker by r on all sides: that is what collision checks measure from. The
+// tool's centre is the point of the axis at the height r above the tip: of a ball the ball's centre, of a flat end the
+// tip itself.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "patchmill/geometry/angle.h"
+#include "patchmill/geometry/vec.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace patchmill {
+
+/// A frustum about an axis.
+struct Frustum {
+  double from = 0.0, to = 0.0;  ///< heights along the axis [mm], from < to, <= 1e4 long
+  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e4
+};
+
+enum class CutterShape : std::uint8_t { Ball, BullNose, Flat, TaperedBall };
+
+/// "ball end mill", "bull nose end mill", "flat end mill", "tapered ball end mill".
+const char* name(CutterShape shape);
+
+struct Tool {
+  double radius = 0.0;  ///< R [mm], > 0: of the cutting end; of a tapered ball the ball's
+  int flutes = 0;       ///< N
+  std::optional<double> corner_radius = std::nullopt;  ///< r [mm], 0 .. R; not given: R
+  Angle taper = {};  ///< between flank and axis, in [0, 60] degrees; with r = R only
+
+  /// Radius r of the corner [mm]: how far the tool's centre is above its tip.
+  double corner() const { return corner_radius.value_or(radius); }
+  bool is_ball() const { return corner() == radius && taper.radians() == 0.0; }
+  CutterShape shape() const;
+
+  /// Height above the tip of the cutting surface at `distance` from the axis [mm]; infinite where it does not reach
+  /// so far. Convex, and 0 at the axis.
+  double height_at(double distance) const;
+  /// Its slope there; infinite at the widest place of a flank along the axis.
+  double slope_at(double distance) const;
+  /// Distance from the axis at which the cutting surface has a slope > 0 [mm]: where the cutter touches a plane of
+  /// that slope.
+  double distance_at_slope(double slope) const;
+
+  /// The core of the cutting part up to `height` above the tip [mm]; the cutter is all points within corner() of it.
+  Frustum core(double height) const;
+};
+
+/// Errors: InputError naming ToolDiameter, CornerRadius or TaperAngle.
+void require_valid(const Tool& tool);
+
+/// Refuses what is no ball end mill. Errors: InputError naming ToolController with the kind of tool; `work` is what
+/// needs a ball, as "textures are milled".
+void require_ball(const Tool& tool, const char* work);
+
+/// Height of the ridge that the tool leaves on a flat between passes `cross_feed` apart [mm]: none while its own flat
+/// bottom covers it.
+double scallop_height(const Tool& tool, double cross_feed);
+
+}  // namespace patchmill

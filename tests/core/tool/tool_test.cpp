@@ -1,0 +1,124 @@
+// Profiles of cutters against closed forms.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/tool/tool.h"
+
+#include "patchmill/geometry/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace patchmill {
+namespace {
+
+Tool bull_nose(double radius, double corner) {
+  return {radius, 2, corner};
+}
+
+Tool tapered(double radius, double degrees) {
+  Tool tool{radius, 2};
+  tool.taper = Angle::degrees(degrees);
+  return tool;
+}
+
+TEST(Tool, ShapesAreNamedByTheirRadii) {
+  EXPECT_EQ((Tool{3.0, 2}).shape(), CutterShape::Ball);
+  EXPECT_EQ(bull_nose(3.0, 3.0).shape(), CutterShape::Ball);
+  EXPECT_EQ(bull_nose(3.0, 1.0).shape(), CutterShape::BullNose);
+  EXPECT_EQ(bull_nose(3.0, 0.0).shape(), CutterShape::Flat);
+  EXPECT_EQ(tapered(3.0, 5.0).shape(), CutterShape::TaperedBall);
+  EXPECT_EQ(std::string(name(CutterShape::BullNose)), "bull nose end mill");
+}
+
+TEST(Tool, HeightsOfTheCuttingSurface) {
+  EXPECT_NEAR((Tool{5.0, 2}).height_at(3.0), 5.0 - 4.0, 1e-15);
+  const Tool bull = bull_nose(6.0, 2.0);
+  EXPECT_EQ(bull.height_at(4.0), 0.0);
+  EXPECT_NEAR(bull.height_at(5.2), 2.0 - 1.6, 1e-14);
+  EXPECT_NEAR(bull.height_at(6.0), 2.0, 1e-15);
+  EXPECT_TRUE(std::isinf(bull.height_at(6.0 + 1e-9)));
+  EXPECT_EQ(bull_nose(3.0, 0.0).height_at(3.0), 0.0);
+  EXPECT_TRUE(std::isinf(bull_nose(3.0, 0.0).height_at(3.1)));
+  const Tool cone = tapered(1.0, 30.0);  // the flank leaves the ball at cos 30 from the axis
+  EXPECT_NEAR(cone.height_at(std::cos(kPi / 6)), 0.5, 1e-12);
+  EXPECT_NEAR(cone.height_at(std::cos(kPi / 6) + 1.0), 0.5 + std::sqrt(3.0), 1e-12);
+}
+
+// The slope is the height's, it grows outwards, and the place of a slope is where it is.
+RC_GTEST_PROP(Tool, SlopesBelongToTheHeights, (unsigned kind, unsigned at)) {
+  const Tool tool = kind % 3 == 0   ? Tool{4.0, 2}
+                    : kind % 3 == 1 ? bull_nose(4.0, 0.5 + 0.01 * (kind / 3 % 300))
+                                    : tapered(2.0, 1.0 + 0.1 * (kind / 3 % 400));
+  const double d = 0.001 + 0.0035 * (at % 1000), h = 1e-6;
+  const double slope = tool.slope_at(d), bend = tool.slope_at(d + h) - tool.slope_at(d - h);
+  if (d + h >= tool.radius || bend > 1e-3) return;
+  RC_ASSERT(std::abs((tool.height_at(d + h) - tool.height_at(d - h)) / (2 * h) - slope) <
+            1e-3 * (1.0 + slope));
+  RC_ASSERT(tool.slope_at(d + 1e-3) >= slope);
+  if (slope > 0.0 && d < tool.distance_at_slope(1e12) - 1e-6)
+    RC_ASSERT(std::abs(tool.distance_at_slope(slope) - d) < 1e-9);
+}
+
+// The cutter is all points within the corner's radius of its core.
+RC_GTEST_PROP(Tool, TheCoreMadeThickerIsTheCutter, (unsigned kind, unsigned at)) {
+  const Tool tool = kind % 3 == 0   ? Tool{4.0, 2}
+                    : kind % 3 == 1 ? bull_nose(4.0, 0.01 * (kind / 3 % 400))
+                                    : tapered(2.0, 0.1 * (kind / 3 % 400));
+  const double across = 0.0045 * (at % 1000), r = tool.corner();
+  const double height = tool.height_at(across);
+  if (std::isinf(height) || height > 50.0) return;
+  const Frustum core = tool.core(100.0);
+  double nearest = 1e9;  // over the core's lower edge and its side
+  for (int i = 0; i <= 20000; ++i) {
+    const double s = i / 20000.0;
+    const double side_h = core.from + s * s * (core.to - core.from);
+    const double side_r = core.radius_from + s * s * (core.radius_to - core.radius_from);
+    nearest = std::min({nearest, std::hypot(height - side_h, across - side_r),
+                        std::hypot(height - core.from, across - s * core.radius_from)});
+  }
+  RC_ASSERT(std::abs(nearest - r) < 2e-3);
+}
+
+TEST(Tool, ScallopsOfABallAndOfABullNose) {
+  EXPECT_NEAR(scallop_height(Tool{3.0, 2}, 2.0), 3.0 - std::sqrt(8.0), 1e-15);
+  EXPECT_EQ(scallop_height(Tool{3.0, 2}, 7.0), 3.0);
+  const Tool bull = bull_nose(5.0, 1.0);
+  EXPECT_EQ(scallop_height(bull, 8.0), 0.0);  // the flat bottom, 8 mm wide, covers it
+  EXPECT_NEAR(scallop_height(bull, 9.6), 1.0 - 0.6, 1e-12);
+}
+
+TEST(Tool, WhatIsNoToolIsNamed) {
+  const auto property = [](const Tool& tool) {
+    try {
+      require_valid(tool);
+    } catch (const InputError& error) {
+      return error.property();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(property(Tool{3.0, 2}), "");
+  EXPECT_EQ(property(Tool{0.0, 2}), "ToolDiameter");
+  EXPECT_EQ(property(bull_nose(3.0, 3.1)), "CornerRadius");
+  EXPECT_EQ(property(bull_nose(3.0, -0.1)), "CornerRadius");
+  EXPECT_EQ(property(tapered(3.0, 61.0)), "TaperAngle");
+  Tool tool = bull_nose(3.0, 1.0);
+  tool.taper = Angle::degrees(5.0);
+  EXPECT_EQ(property(tool), "TaperAngle");
+}
+
+TEST(Tool, WhatIsNoBallIsRefusedByItsName) {
+  EXPECT_NO_THROW(require_ball(Tool{3.0, 2}, "textures are milled"));
+  try {
+    require_ball(bull_nose(3.0, 1.0), "textures are milled");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.property(), "ToolController");
+    EXPECT_EQ(error.value(), "bull nose end mill");
+  }
+}
+
+}  // namespace
+}  // namespace patchmill
