@@ -31,7 +31,9 @@ class TextureCommand(MakingCommand):
             )
         module = importlib.import_module(self.MODULE)
         self.begin()
-        return quick_setup.texture(module, self.OPERATION, *found)
+        operation = quick_setup.texture(module, self.OPERATION, *found)
+        operation.ViewObject.Proxy.fresh = True
+        return operation
 
 
 class PlanarTexture(TextureCommand):

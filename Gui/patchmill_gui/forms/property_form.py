@@ -78,6 +78,7 @@ class PropertyForm(QtCore.QObject):
         self.rows = {}
         self.groups = {}
         self._showing = False
+        self._relevant = self._found = None  # names of the rows that may be shown; None: all
         for kind, name, group, tip, _ in table:
             self._add(row_for(kind, name, obj), name, group, tip)
 
@@ -121,10 +122,21 @@ class PropertyForm(QtCore.QObject):
             row.store(self.obj)
 
     def show_only(self, names):
-        """Hides the rows of all other properties."""
+        """Hides the rows of all other properties: these mean something now."""
+        self._relevant = set(names)
+        self._show_rows()
+
+    def search_only(self, names):
+        """Hides the rows of all properties that were not searched for; None: there is no search."""
+        self._found = names
+        self._show_rows()
+
+    def _show_rows(self):
         for name, row in self.rows.items():
-            row.editor.setVisible(name in names)
-            row.label.setVisible(name in names)
+            on = all(names is None or name in names for names in (self._relevant, self._found))
+            if row.editor.isHidden() == on:
+                row.editor.setVisible(on)
+                row.label.setVisible(on)
 
     def show_error(self, error):
         """Puts the sentence of an InputError below its field; None clears all, and so does an exception that

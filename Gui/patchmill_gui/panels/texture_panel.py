@@ -14,18 +14,29 @@ from patchmill.operations.texture_operation import prepare
 from patchmill.textures.plan import place_texture
 from PySide import QtCore, QtGui
 
+from patchmill_gui.forms.advanced_fold import AdvancedFold
 from patchmill_gui.forms.advisor_box import AdvisorBox
 from patchmill_gui.forms.idle_properties import idle_properties
 from patchmill_gui.forms.resources import path
 from patchmill_gui.forms.texture_summary import placed_summary, planned_summary
 from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, translate
 from patchmill_gui.panels.operation_base import OperationPage, OperationPanel
+from patchmill_gui.panels.texture_advising import Advising
 from patchmill_gui.views.texture_scene import dimple_displays, line_displays
 from patchmill_gui.work.background import Background
 
 PICTURE_WIDTH = 220  # as narrow as FreeCAD's panel at first
 PLACE_AFTER_MS, PLAN_AFTER_MS = 10, 400
+MAIN = "Pattern"
+MAIN_ROWS = ("PatchShape", "Spacing", "Depth", "Margin", "MaskUse", "Machine", "ToolAxisMode", "Strategy")
 PREVIEWS = (("dimples", "Dimples"), ("outlines", "Patches"), ("order", "Order"), ("axes", "Tool axes"))
+
+
+def main_first(table):
+    """The rows of a table of properties with those of MAIN_ROWS in front, in a group of their own."""
+    rows = {row[1]: row for row in table}
+    main = [(kind, name, MAIN, tip, default) for kind, name, _, tip, default in map(rows.get, MAIN_ROWS)]
+    return main + [row for row in table if row[1] not in MAIN_ROWS]
 
 
 class TexturePage(OperationPage):
@@ -35,23 +46,24 @@ class TexturePage(OperationPage):
 
     def getForm(self):
         form, layout = self.begin_form(
-            self.obj.Proxy.properties(), closed=("Limits", "Mask", "Phase", "Tool axis", "Checks")
+            main_first(self.obj.Proxy.properties()), closed=("Limits", "Mask", "Phase", "Tool axis", "Checks")
         )
+        layout.addWidget(self.properties.groups[MAIN])
+        layout.addWidget(self._preview_box())
+        self.advice = AdvisorBox(self.obj, self.advised) if hasattr(self.obj, "Form") else None
+        if self.advice is not None:
+            layout.addWidget(self.advice)
+        self.advanced = AdvancedFold(self.properties, (MAIN,))
         picture = QtGui.QLabel()
         picture.setPixmap(QtGui.QIcon(path("icons", "quantities.svg")).pixmap(PICTURE_WIDTH, PICTURE_WIDTH))
         picture.setMinimumWidth(1)
         picture.setAlignment(QtCore.Qt.AlignCenter)
-        layout.insertWidget(0, picture)
-        layout.addWidget(self._preview_box())
-        for box in self.properties.groups.values():
-            layout.addWidget(box)
-        self.advice = AdvisorBox(self.obj, self._advised) if hasattr(self.obj, "Form") else None
-        if self.advice is not None:
-            layout.insertWidget(layout.count() - len(self.properties.groups), self.advice)
+        self.advanced.rows.insertRow(0, picture)
+        layout.addWidget(self.advanced)
         layout.addStretch()
         return form
 
-    def _advised(self):
+    def advised(self):
         """A proposal was taken over into the properties."""
         self.properties.show()
         self.properties.changed.emit()
@@ -81,7 +93,13 @@ class TexturePage(OperationPage):
         return box
 
     def getFields(self, obj):
+        advising = self.parent.advising
+        before = advising.own_values()
         super().getFields(obj)
+        if advising.own_values() != before:
+            advising.following = False
+        if advising.follow_strategy(before[0]):
+            self.properties.show()
         self._show_rows()
 
     def setFields(self, obj):
@@ -116,6 +134,8 @@ class TexturePanel(OperationPanel):
         self.planning.finished.connect(self._planned)
         self.planning.failed.connect(self._failed)
         self.planning.progressed.connect(page.progress.show_share)
+        self.advising = Advising(obj, page.advised)
+        self.advising.chosen.connect(self._chosen)
         self.ready = None
         self.accepting = False
         self.place_timer, self.plan_timer = _timer(self._place), _timer(self._plan)
@@ -127,11 +147,21 @@ class TexturePanel(OperationPanel):
             self.scene.switch(part, check.isChecked())
         self.view.editing = True
         self.view.update(self.obj.ViewObject)
+        if not self.advising.head.pin(self.page.form):
+            self.page.form.layout().insertWidget(0, self.advising.head)
+        if self.view.fresh and not self.obj.Proxy.CALIBRATING:
+            self.advising.follow()
+        self.view.fresh = False
         self.preview()
+
+    def _chosen(self):
+        """The values are chosen."""
+        self._plan() if self.accepting else self.preview()
 
     def pageDirtyChanged(self, page):
         super().pageDirtyChanged(page)
         if page is not None and page.isdirty and hasattr(self, "place_timer"):
+            self.accepting = self.accepting and self.advising.applying
             self.preview()
 
     def preview(self):
@@ -139,6 +169,7 @@ class TexturePanel(OperationPanel):
         is made for the preview."""
         self.planning.cancel()
         self.page.progress.setVisible(False)
+        self.advising.outdate()
         self.place_timer.start(PLACE_AFTER_MS)
         self.plan_timer.start(PLAN_AFTER_MS)
 
@@ -167,6 +198,8 @@ class TexturePanel(OperationPanel):
         self.page.summary.setText(summary)
 
     def _plan(self):
+        if self.advising.choosing.busy or self.advising.choose():
+            return  # _chosen goes on
         given = self._input()
         if given is None:
             self.accepting = False
@@ -185,6 +218,8 @@ class TexturePanel(OperationPanel):
         self.page.summary.setText(ready.summary)
         if self.accepting:
             QtCore.QTimer.singleShot(0, self._finish)
+        else:
+            self.advising.assess(ready.planned)
 
     def _failed(self, error):
         self.accepting = False
@@ -193,10 +228,13 @@ class TexturePanel(OperationPanel):
             FreeCAD.Console.PrintError("PatchMill: %r\n" % error)
         self.error = error
         self.page.show_error(error)
+        if not self.advising.choosing.busy:
+            self.advising.explain(error)
 
     def ready_now(self):
         """Whether everything is planned for the properties as they are."""
-        return not (self.place_timer.isActive() or self.plan_timer.isActive() or self.busy())
+        waits = self.place_timer.isActive() or self.plan_timer.isActive()
+        return not (waits or self.advising.choosing.busy or self.busy())
 
     def busy(self):
         return self.placing.busy or self.drawing.busy or self.planning.busy
@@ -217,7 +255,7 @@ class TexturePanel(OperationPanel):
     def reject(self, resetEdit=True):
         """Cancel: of the planning that OK waits for, if it does; else of the panel, with all that was made
         since the command or the edit began."""
-        if self.accepting and self.planning.busy:
+        if self.accepting and (self.planning.busy or self.advising.choosing.busy):
             self.accepting = False
             self.planning.cancel()
             self.page.progress.setVisible(False)
@@ -230,8 +268,10 @@ class TexturePanel(OperationPanel):
             timer.stop()
         for work in (self.placing, self.drawing, self.planning):
             work.cancel()
+        self.advising.stop()
         self.view.editing = False
         self.scene.clear()
+        self.view.update_soon(self.obj)
 
 
 def _placed_and_drawn(given, progress):

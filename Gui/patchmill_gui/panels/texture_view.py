@@ -9,6 +9,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import FreeCAD
 import FreeCADGui
+from _patchmill import InputError
+from patchmill.textures.plan import place_texture, plan_texture
 from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.widgets import translate
@@ -39,6 +41,7 @@ class ViewProvider(OperationView):
     __module__ = "patchmill_gui.texture_view"  # what documents save
 
     scene = None
+    fresh = False  # just made by a command: its panel looks for values that suit
 
     def attach(self, vobj):
         """Also when a document is opened: the display is made anew, from the path that was saved."""
@@ -61,8 +64,12 @@ class ViewProvider(OperationView):
         super().updateData(obj, prop)
         if prop == "Path" and getattr(self, "scene", None) and not self.editing:
             self.scene.clear()
-            place = (obj.Document.Name, obj.Name)  # it may be gone when its turn comes
-            QtCore.QTimer.singleShot(0, lambda: self._update_if_there(*place))
+            self.update_soon(obj)
+
+    def update_soon(self, obj):
+        """As update, when the event loop has its turn."""
+        place = (obj.Document.Name, obj.Name)  # it may be gone then
+        QtCore.QTimer.singleShot(0, lambda: self._update_if_there(*place))
 
     def _update_if_there(self, document, name):
         document = FreeCAD.listDocuments().get(document)
@@ -71,25 +78,39 @@ class ViewProvider(OperationView):
             self.update(obj.ViewObject)
 
     def update(self, vobj):
-        """Fills, if empty, and shows what `Show` asks for. Nothing is planned for the display alone: a
-        document just opened shows FreeCAD's lines until its operation is recomputed."""
-        planned = getattr(vobj.Object.Proxy, "planned", None)
-        show = vobj.Show if planned else NATIVE
+        """Fills, if empty, and shows what `Show` asks for; the dimples, where a relief is asked for and none
+        has been simulated yet. For a document just opened the texture is made anew in the background; one
+        that cannot be made shows FreeCAD's lines, if it has any."""
+        show = vobj.Show
+        if show == RELIEF and not self.scene.filled("relief"):
+            show = DIMPLES
         parts = PARTS_OF[show] if vobj.Visibility and not self.editing else ()
-        if parts and planned:
-            self._fill(show, planned)
+        if parts and not self._fill(show, vobj.Object):
+            show, parts = NATIVE, ()
         for part in PARTS:
             if not self.editing:
                 self.scene.switch(part, part in parts)
         show_native_lines(vobj, show == NATIVE and not self.editing)
 
-    def _fill(self, show, planned):
-        """Makes what is to be shown in the background, unless it is there."""
-        wanted = [part for part in PARTS_OF[show] if not self.scene.filled(part)]
-        if not wanted or show == RELIEF:
-            return
+    def _fill(self, show, obj):
+        """Makes what is to be shown in the background, unless it is there. Returns whether there is, or will
+        be, something to show."""
+        if show == RELIEF or all(self.scene.filled(part) for part in PARTS_OF[show]):
+            return True
+        planned = getattr(obj.Proxy, "planned", None)
         make = placed_displays if show == DIMPLES else planned_displays
-        self.drawing.start(lambda progress: make(planned))
+        if planned is not None:
+            self.drawing.start(lambda progress: make(planned))
+            return True
+        if getattr(obj.Proxy, "error", None) is not None or not obj.Path.Size:
+            return False
+        try:
+            given = obj.Proxy.texture_input(obj)
+        except InputError:
+            return False
+        build = place_texture if show == DIMPLES else plan_texture
+        self.drawing.start(lambda progress: _made_displays(build(given, progress), make))
+        return True
 
     def make_panel(self, obj, page):
         from patchmill_gui.panels.texture_panel import TexturePanel
@@ -106,6 +127,11 @@ class ViewProvider(OperationView):
             action = QtGui.QAction(translate(text), menu)
             action.triggered.connect(lambda *_, name=command: _run_on(vobj.Object, name))
             menu.addAction(action)
+
+
+def _made_displays(made, make):
+    """Displays of what was made for a display alone; none if it was cancelled."""
+    return {} if made is None else make(made)
 
 
 def _run_on(obj, command):

@@ -8,13 +8,15 @@ import math
 from pivy import coin
 
 FLUTE, SHANK, HOLDER = (0.55, 0.72, 0.90), (0.70, 0.73, 0.77), (0.38, 0.42, 0.47)
+COLOURS = {"flute": FLUTE, "shank": SHANK, "holder": HOLDER}
 EDGE = (0.88, 0.54, 0.12)
 
 
 class ToolNode:
     """`root` is to be added to a view. `place` puts the tool somewhere."""
 
-    def __init__(self, radius, flutes, length, holder_radius):
+    def __init__(self, radius, flutes, sections):
+        """`sections`: what is above the ball, as checks.tool_sections gives it."""
         self.root = coin.SoSeparator()
         self.pose = coin.SoTransform()
         self.spin = coin.SoRotationXYZ()
@@ -22,9 +24,8 @@ class ToolNode:
         self.root.addChild(self.pose)
         self.root.addChild(self.spin)
         self.root.addChild(_coloured(FLUTE, _sphere(radius)))
-        self.root.addChild(_cylinder(FLUTE, 0.999 * radius, 0.0, 3.0 * radius))
-        self.root.addChild(_cylinder(SHANK, 0.9 * radius, 3.0 * radius, length))
-        self.root.addChild(_cylinder(HOLDER, holder_radius, length, length + 2.0 * holder_radius))
+        for part, low, high, wide, _ in sections:
+            self.root.addChild(_cylinder(COLOURS[part], wide, low - radius, high - radius))
         for number in range(flutes):
             self.root.addChild(_edge(radius, 2.0 * math.pi * number / flutes))
 

@@ -219,8 +219,8 @@ def _keep_off_tip(placed):
 _REMEDIES = {
     "off the face": "choose other faces, or move the texture's origin",
     "too steep": "raise SteepestSlope, or project from another Direction",
-    "tool tip": "incline the part, or lower MinimumTilt",
-    "undercut": "project from another Direction",
+    "tool tip": "incline the part or lean the tool, for the tip of a ball does not cut",
+    "undercut": "project from another Direction, or lean the tool towards the face",
     "near an edge": "lower Margin",
     "sliver": "lower MinimumDimples, or choose smaller patches",
     "masked": "change the mask",

@@ -98,12 +98,12 @@ def tool_sections(operation):
     From the tool bit: CuttingEdgeHeight, ShankDiameter and Length, which is how far it stands out of the
     holder, unless the operation's StickOut says otherwise; the holder from the operation's HolderDiameter (0:
     none) and HolderLength. What the bit does not say: edges of 4 R, a shank as thick as the ball, a length of
-    20 R. Raises InputError naming StickOut."""
+    20 R. An operation without these properties has no holder. Raises InputError naming StickOut."""
     bit = operation.ToolController.Tool
     radius = float(bit.Diameter) / 2.0
     edge = max(_length(bit, "CuttingEdgeHeight", 4.0 * radius), radius)
     shank = _length(bit, "ShankDiameter", 2.0 * radius) / 2.0
-    out = operation.StickOut.Value or _length(bit, "Length", 20.0 * radius)
+    out = _length(operation, "StickOut", 0.0) or _length(bit, "Length", 20.0 * radius)
     if out <= radius:
         raise InputError("StickOut", "%g mm" % out, "the tool must stand out further than its ball.")
     edge = min(edge, out)
@@ -112,14 +112,16 @@ def tool_sections(operation):
         sections.append(("flute", radius, edge, radius, radius))
     if out > edge and shank > 0.0:
         sections.append(("shank", edge, out, shank, shank))
-    holder, height = operation.HolderDiameter.Value / 2.0, operation.HolderLength.Value
+    holder = _length(operation, "HolderDiameter", 0.0) / 2.0
+    height = _length(operation, "HolderLength", 0.0)
     if holder > 0.0 and height > 0.0:
         sections.append(("holder", out, out + height, holder, holder))
     return sections
 
 
-def _length(bit, name, default):
-    value = float(getattr(bit, name, 0.0) or 0.0)
+def _length(obj, name, default):
+    """Of a property in mm; the default where there is none, or it is zero."""
+    value = float(getattr(obj, name, 0.0) or 0.0)
     return value if value > 0.0 else default
 
 

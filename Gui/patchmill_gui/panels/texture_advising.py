@@ -1,0 +1,167 @@
+"""What the panel of a texture does beside its preview: it chooses values for a new texture, says how good the
+texture will be, and offers what helps, all in the background.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from dataclasses import replace
+from functools import partial
+
+from _patchmill import InputError
+from patchmill.advice import apply, assessment, choice, remedies
+from patchmill.textures import strategies
+from patchmill.verify.simulation import simulate
+from PySide import QtCore
+
+from patchmill_gui.forms.widgets import translate
+from patchmill_gui.panels.texture_head import Head
+from patchmill_gui.work.background import Background
+
+assess = assessment.with_simulation(simulate)
+choose = partial(choice.choose, assess)
+PACED = (strategies.FEED, strategies.LOCKED)
+
+
+class Advising(QtCore.QObject):
+    """`chosen` when a new texture has its values, or will have none."""
+
+    chosen = QtCore.Signal()
+
+    def __init__(self, obj, show_properties):
+        super().__init__()
+        self.obj, self.show_properties = obj, show_properties
+        self.head = Head()
+        self.head.taken.connect(self._take)
+        self.choosing, self.assessing, self.helping = (Background(brief=True) for _ in range(3))
+        self.choosing.finished.connect(self._chosen)
+        self.choosing.failed.connect(lambda error: self._chosen(None))
+        self.assessing.finished.connect(self._assessed)
+        self.assessing.failed.connect(self._failed)
+        self.helping.finished.connect(self._helped)
+        self.helping.failed.connect(lambda error: None)
+        self.notes = list(getattr(obj.Proxy, "notes", ()))
+        self._planned = self._before = self._choice = self._chosen_for = None
+        self.following = False  # the values of a new texture follow the others until the user edits them
+        self.applying = False  # its own values are being shown: no edit of the user's
+        self._feed = None  # of the tool controller, before a choice changed it [mm/s]
+
+    def follow(self):
+        """From now on the values are chosen for what the others are."""
+        self.following = True
+        self._feed = self.obj.ToolController.HorizFeed.Value
+
+    def own_values(self):
+        """Those that are chosen, as they are."""
+        obj = self.obj
+        return obj.Strategy, obj.SameFlute, obj.ExtraTurns
+
+    def choose(self):
+        """Begins to look for the values that suit, unless they are those of the last choice, or the user's.
+        Returns whether it does; `chosen` comes at the end."""
+        if not self.following:
+            return False
+        try:
+            given = replace(self.obj.Proxy.texture_input(self.obj), feed=self._feed)
+        except InputError:
+            return False  # planning says it
+        if given.form == "Free":
+            return False
+        key = replace(given, strategy="", same_flute=False, extra_turns=0.0)
+        if key == self._chosen_for:
+            return False
+        self._chosen_for = key
+        self.head.busy(translate("Looking for good values …"))
+        free = apply.feed_is_free(self.obj)
+        self.choosing.start(lambda progress: choose(given, free, progress))
+        return True
+
+    def _chosen(self, found):
+        self._choice = found
+        if found is not None:
+            apply.set_fields(self.obj, found.fields)
+            if apply.feed_is_free(self.obj):
+                apply.set_feed(self.obj, self._feed * found.feed_factor)
+            self.applying = True
+            self.show_properties()
+            self.applying = False
+        self.chosen.emit()
+
+    def outdate(self):
+        """What the head says is no longer so."""
+        self.assessing.cancel()
+        self.helping.cancel()
+        if not self.choosing.busy:
+            self.head.busy(translate("Computing …"))
+
+    def assess(self, planned):
+        """Begins to find out how good a PlannedTexture is."""
+        self._planned = planned
+        given = planned.asked
+        self.helping.cancel()
+        self.assessing.start(lambda progress: assess(given, 3, progress))
+
+    def _assessed(self, found):
+        if found is None or self._planned is None:
+            return
+        seconds = self._planned.path.statistics()["timed_seconds"]
+        self.head.show_found(found, seconds, self._planned.pacing.verdict, self.notes)
+        if not found.good:
+            self._look_for_help()
+
+    def _failed(self, error):
+        self.head.show_error(str(error))
+
+    def explain(self, error):
+        """Shows why there is no texture, and looks for what helps."""
+        self.assessing.cancel()
+        self.head.show_error(str(error))
+        self._look_for_help()
+
+    def _look_for_help(self):
+        try:
+            given = self.obj.Proxy.texture_input(self.obj)
+        except InputError:
+            return
+        if given.form == "Free":
+            return
+        free, can_incline = apply.feed_is_free(self.obj), apply.can_incline(self.obj)
+        chosen = self._choice is not None and all(
+            getattr(given, name) == value for name, value in self._choice.fields.items()
+        )
+        self.head.note(translate("Looking for what helps …"))
+        finder = remedies.Finder(assess, choose, free, can_incline, chosen)
+        self.helping.start(lambda progress: finder.find(given, progress))
+
+    def _helped(self, found):
+        self.head.note("" if found else translate("Nothing that was tried makes it better."))
+        self.head.offer(found or [])
+
+    def _take(self, remedy):
+        self.following = False
+        apply.take(self.obj, remedy)
+        self.show_properties()
+
+    def follow_strategy(self, before):
+        """After an edit of Strategy: on a paced path every flute mills and nothing is added between dimples.
+        Sets that, and takes it back when the strategy is changed back; returns whether anything was set."""
+        obj = self.obj
+        if obj.Strategy == before:
+            return False
+        self.notes = []
+        if obj.Strategy in PACED and before not in PACED:
+            self._before = (obj.SameFlute, obj.ExtraTurns)
+            if not obj.SameFlute and obj.ExtraTurns == 0.0:
+                return False
+            obj.SameFlute, obj.ExtraTurns = False, 0.0
+            self.notes = [translate("Set for this strategy: any flute, no extra turns.")]
+            return True
+        if obj.Strategy not in PACED and before in PACED:
+            same, turns = self._before or (obj.ToolController.Tool.Flutes < 2, 1.0)
+            obj.SameFlute, obj.ExtraTurns = same, turns or 1.0
+            return True
+        return False
+
+    def stop(self):
+        for work in (self.choosing, self.assessing, self.helping):
+            work.cancel()
+        self.head.unpin()

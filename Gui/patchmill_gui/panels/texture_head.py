@@ -1,0 +1,183 @@
+"""The head of a texture's panel: what comes out, in green, amber or red, and buttons for what helps. It stays
+at the top of FreeCAD's panel however far that is scrolled, and never shows old numbers as new ones.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from patchmill.advice.found import GOOD_FRACTION
+from PySide import QtCore, QtGui
+
+from patchmill_gui.forms.texture_summary import duration, grouped
+from patchmill_gui.forms.widgets import translate, wrapping_label
+
+GREEN, AMBER, RED, GREY = "#2e7d32", "#8a5a00", "#b71c1c", "#5f6368"  # under white text, contrast above 5
+_TASK_VIEW = "Gui::TaskView::TaskView"
+
+
+class Head(QtGui.QFrame):
+    """`taken(remedy)` when the button of a remedy was clicked."""
+
+    taken = QtCore.Signal(object)
+
+    def __init__(self):
+        super().__init__()
+        self.setObjectName("TextureHead")
+        self.setAutoFillBackground(True)
+        self.bar, self.text = wrapping_label(), wrapping_label()
+        self.bar.setObjectName("HeadVerdict")
+        self.text.setObjectName("HeadNumbers")
+        self.text.setTextFormat(QtCore.Qt.RichText)
+        self.hint = wrapping_label()
+        self.hint.hide()
+        layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(4, 4, 4, 4)
+        layout.setSpacing(3)
+        layout.addWidget(self.bar)
+        layout.addWidget(self.text)
+        layout.addWidget(self.hint)
+        self.fixes = QtGui.QVBoxLayout()
+        self.fixes.setSpacing(2)
+        layout.addLayout(self.fixes)
+        self.buttons = []
+        self.state = None
+        self._area = self._margins = self._height = None
+        self.busy(translate("Looking for good values …"))
+
+    def _say(self, state, sentence):
+        self.state = state
+        self.bar.setText(sentence)
+        self.bar.setStyleSheet(
+            "background: %s; color: white; padding: 3px; border-radius: 3px; font-weight: bold" % state
+        )
+        self._place()
+
+    def busy(self, sentence):
+        """Numbers are being made: the old ones are taken away."""
+        self.text.setText("")
+        self.offer([])
+        self.note("")
+        self._say(GREY, sentence)
+
+    def show_found(self, found, seconds, verdict, notes=()):
+        """`found`: an Assessment; `seconds` of milling; `verdict`: a _patchmill.Verdict, or None where no
+        machine was named; `notes`: sentences that the user should read."""
+        lines = [
+            "<b>%s</b> · %s" % (translate("{} dimples").format(grouped(found.dimples)), duration(seconds))
+        ]
+        if found.patches:
+            arrays = sorted({patch.array for patch in found.patches if patch.array})
+            lines.append(
+                translate("quality {} of patches at {}° to {}°: {}").format(
+                    " · ".join("%.2f" % patch.quality for patch in found.patches),
+                    "%.0f" % found.patches[0].tilt,
+                    "%.0f" % found.patches[-1].tilt,
+                    ", ".join(arrays) or translate("none"),
+                )
+            )
+        lines += list(notes)
+        self.text.setText("<br>".join(lines))
+        self._say(*_verdict(found, verdict))
+
+    def show_error(self, sentence):
+        self.text.setText("")
+        self._say(RED, sentence)
+
+    def note(self, sentence):
+        """A sentence below the numbers; none if it is empty."""
+        self.hint.setText(sentence)
+        self.hint.setVisible(bool(sentence))
+        self._place()
+
+    def offer(self, remedies):
+        """Buttons for remedies.Remedy that were tried."""
+        for button in self.buttons:
+            button.deleteLater()
+            button.hide()
+        self.buttons = []
+        for remedy in remedies:
+            button = QtGui.QPushButton(remedy_text(remedy))
+            button.setObjectName("Fix" + remedy.kind.title().replace(" ", ""))
+            button.setStyleSheet("text-align: left; padding: 3px")
+            button.setMinimumWidth(30)
+            button.setToolTip(translate("Tried: this is what it gives"))
+            button.clicked.connect(lambda *_, chosen=remedy: self.taken.emit(chosen))
+            self.fixes.addWidget(button)
+            self.buttons.append(button)
+        self._place()
+
+    def pin(self, form):
+        """Puts the head on top of the scroll area of FreeCAD's panel that holds `form`; its view then begins
+        below it. Returns whether there is one."""
+        chain = [form]  # kept: PySide takes a widget for deleted when the last name of its parent goes
+        while chain[-1] is not None and chain[-1].metaObject().className() != _TASK_VIEW:
+            chain.append(chain[-1].parentWidget())
+        area = chain[-1]
+        if area is None:
+            return False
+        self._area, self._kept = area, chain
+        self._margins = area.contentsMargins()
+        self.setParent(area)
+        area.installEventFilter(self)
+        self.show()
+        self._place()
+        QtCore.QTimer.singleShot(0, self._place)
+        return True
+
+    def unpin(self):
+        """Gives the panel its place back."""
+        if self._area is not None:
+            self._area.removeEventFilter(self)
+            self._area.setContentsMargins(self._margins)
+            QtGui.QApplication.postEvent(self._area, QtCore.QEvent(QtCore.QEvent.LayoutRequest))
+            self._area = None
+        self.hide()
+        self.deleteLater()
+
+    def eventFilter(self, _, event):
+        if event.type() in (QtCore.QEvent.Resize, QtCore.QEvent.LayoutRequest):
+            self._place()
+        return False
+
+    def _place(self):
+        if self._area is None:
+            return
+        width = self._area.width()
+        height = max(self.layout().heightForWidth(width), self.layout().minimumSize().height())
+        self.setGeometry(0, 0, width, height)
+        self.raise_()
+        m = self._margins
+        if self._height != height:
+            self._height = height
+            self._area.setContentsMargins(m.left(), m.top() + height, m.right(), m.bottom())
+            QtGui.QApplication.sendEvent(self._area, QtCore.QEvent(QtCore.QEvent.LayoutRequest))
+
+
+def _verdict(found, verdict):
+    """(colour, sentence) of an Assessment and a Verdict."""
+    if verdict is not None and verdict.holding not in ("holds", "unknown"):
+        return RED, verdict.sentence
+    if not found.patches:
+        return AMBER, translate("Not simulated")
+    share = "%.0f %%" % (100.0 * found.good_fraction)
+    if found.good_fraction >= GOOD_FRACTION and verdict is not None:
+        return GREEN, translate("Good: {} of the faces as planned").format(share)
+    if found.good_fraction >= GOOD_FRACTION:
+        return AMBER, translate("Good if the machine holds the phase: choose a machine to know")
+    short = translate("{} of the faces good; {} left out").format(
+        share, "%.0f %%" % (100.0 * (1.0 - found.milled_fraction))
+    )
+    return (AMBER if found.good_fraction > 0.5 else RED), short
+
+
+def remedy_text(remedy):
+    """What a remedy does and gives, as its button says it."""
+    found = remedy.assessment
+    what = {
+        "incline": translate("Incline the part {:.0f}°").format(remedy.angle),
+        "lean": translate("Lean the tool {:.0f}°").format(remedy.angle),
+        "leave out": translate("Leave out what is too flat"),
+        "values": translate("Take the values that suit"),
+    }[remedy.kind]
+    return translate("{}: {:.0f} % good, {}").format(
+        what, 100.0 * found.good_fraction, duration(found.seconds)
+    )

@@ -1,0 +1,112 @@
+"""One click on a face: values that suit, a head that says what comes out, and a click on what helps.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import driver
+import FreeCAD
+import hands
+import Part
+from patchmill.freecad import preferences
+from patchmill_gui.panels import texture_head
+
+
+def plate(angle=0.0):
+    """A flat plate, inclined by so many degrees."""
+    shape = Part.makeBox(20, 16, 4)
+    shape.rotate(FreeCAD.Vector(0, 0, 0), FreeCAD.Vector(0, 1, 0), -angle)
+    return shape
+
+
+class OneClick(driver.unittest.TestCase):
+    def begin(self, shape, machine="linuxcnc-mill"):
+        group = FreeCAD.ParamGet(preferences.PATH)
+        group.SetString("Machine", machine)
+        self.addCleanup(group.RemString, "Machine")
+        self.document, self.part = driver.new_document(shape)
+        self.addCleanup(FreeCAD.closeDocument, self.document.Name)
+        self.operation, self.panel = driver.begin_texture(self.part)
+        self.head = self.panel.advising.head
+
+    def settled(self, state):
+        self.assertTrue(driver.wait(lambda: self.head.state == state, 150), self.head.bar.text())
+
+    def test_an_inclined_plate_is_good_as_it_comes(self):
+        self.begin(plate(25.0))
+        self.settled(texture_head.GREEN)
+        self.assertFalse(self.operation.SameFlute)
+        self.assertIn("dimples", self.head.text.text())
+        driver.accept(self.panel)
+        self.assertEqual(self.operation.Proxy.planned.pacing.verdict.holding, "holds")
+
+    def test_a_flat_plate_is_red_until_the_fix_is_clicked(self):
+        self.begin(plate())
+        self.settled(texture_head.RED)
+        self.assertTrue(driver.wait(lambda: self.head.buttons, 150))
+        before = self.part.Shape.BoundBox.ZLength
+        (button,) = [b for b in self.head.buttons if b.objectName() == "FixIncline"]
+        hands.click(button)
+        self.settled(texture_head.GREEN)
+        driver.accept(self.panel)
+        self.assertGreater(self.operation.DimpleCount, 500)
+        self.assertAlmostEqual(self.part.Shape.BoundBox.ZLength, before)  # the user's part is as it was
+
+    def test_the_tool_is_leant_where_the_machine_can(self):
+        self.begin(plate(), "table-table-ac")
+        self.assertTrue(driver.wait(lambda: self.head.buttons, 150))
+        (button,) = [b for b in self.head.buttons if b.objectName() == "FixLean"]
+        hands.click(button)
+        self.settled(texture_head.GREEN)
+        driver.accept(self.panel)
+        self.assertGreater(self.operation.DimpleCount, 500)
+
+    def test_the_head_stays_at_the_top_and_is_empty_while_values_change(self):
+        self.begin(plate(25.0))
+        self.settled(texture_head.GREEN)
+        place = self.head.geometry()
+        hands.show(self.panel.page.properties.rows["Spacing"].editor)
+        self.assertEqual(self.head.geometry(), place)
+        driver.set_quantity(self.panel, "Spacing", 0.7)
+        self.assertEqual((self.head.state, self.head.text.text()), (texture_head.GREY, ""))
+        self.assertTrue(driver.wait(lambda: self.head.state != texture_head.GREY, 150))
+        self.assertIn("dimples", self.head.text.text())
+
+    def test_the_advanced_fold_is_searched(self):
+        self.begin(plate(25.0))
+        page = self.panel.page
+        rows = page.properties.rows
+        for name in ("Spacing", "Machine", "Strategy"):
+            self.assertTrue(rows[name].editor.isVisible(), name)
+        self.assertFalse(rows["HelixOrder"].editor.isVisible())
+        hands.show(page.advanced.heading)
+        hands.click(page.advanced.heading)
+        hands.show(page.advanced.search)
+        hands.click(page.advanced.search)
+        hands.write("stick out")
+        driver.rest(0.3)
+        self.assertTrue(rows["StickOut"].editor.isVisible())
+        self.assertFalse(rows["HelixOrder"].editor.isVisible())
+        hands.press("ctrl+a", "BackSpace")
+        driver.rest(0.3)
+        self.assertTrue(rows["HelixOrder"].editor.isVisible())
+
+    def test_paced_strategies_are_reached_by_choosing_them(self):
+        self.begin(plate(30.0))
+        self.settled(texture_head.GREEN)
+        rows = self.panel.page.properties.rows
+        rows["Strategy"].group.heading.setChecked(True)
+        for strategy in ("Constant feed", "Spindle-locked", "Feed per move"):
+            hands.choose(rows["Strategy"].editor, strategy)
+            self.assertTrue(driver.ready(self.panel))
+            if strategy != "Constant feed":
+                # a speed that the axes cannot follow may be told; what the strategy needs is set
+                named = getattr(self.panel.error, "property", None)
+                self.assertIn(named, (None, "MaxVelocity"))
+                self.assertEqual((self.operation.SameFlute, self.operation.ExtraTurns), (False, 0.0))
+        hands.choose(rows["Strategy"].editor, "Constant feed")
+        self.assertTrue(driver.ready(self.panel))
+        self.assertGreater(self.operation.ExtraTurns, 0.0)
+
+
+def main():
+    return driver.run_tests(OneClick)

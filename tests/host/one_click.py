@@ -1,0 +1,59 @@
+"""One click without a window: what the command does, what the head of the panel says, and the first button of
+those that help, as functions.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import math
+from functools import partial
+
+import FreeCAD
+import patchmill
+from patchmill.advice import apply, assessment, choice, remedies
+from patchmill.operations import quick_setup
+
+assess = assessment.with_simulation(patchmill.simulate)
+choose = partial(choice.choose, assess)
+
+
+def texture(shape, face, machine):
+    """A texture operation on a face of a shape, in a new document, for a machine; no values are chosen."""
+    document = FreeCAD.newDocument("oneclick")
+    part = document.addObject("Part::Feature", "Part")
+    part.Shape = shape
+    document.recompute()
+    operation = quick_setup.texture(patchmill.CurvedTexture, "Texture", part, [face])
+    operation.Machine = machine
+    return operation
+
+
+def choose_for(operation):
+    """Takes the values over that suit."""
+    found = choose(operation.Proxy.texture_input(operation), apply.feed_is_free(operation))
+    apply.set_fields(operation, found.fields, found.feed_factor)
+
+
+def state_of(operation, count=3):
+    """(state, Assessment or None, minutes of milling): 'good', 'short' as the head says amber or red."""
+    try:
+        plan = patchmill.recompute(operation)
+    except patchmill.InputError:
+        return "short", None, math.nan
+    found = assess(plan.asked, count)
+    holds = plan.pacing.verdict is not None and plan.pacing.verdict.holding == "holds"
+    return (
+        "good" if found.good and holds else "short",
+        found,
+        plan.path.statistics()["timed_seconds"] / 60.0,
+    )
+
+
+def fix(operation):
+    """Takes the first remedy over that was found; its kind, or ''."""
+    free, can_incline = apply.feed_is_free(operation), apply.can_incline(operation)
+    finder = remedies.Finder(assess, choose, free, can_incline, chosen=True)
+    found = finder.find(operation.Proxy.texture_input(operation))
+    if not found:
+        return ""
+    apply.take(operation, found[0])
+    return found[0].kind
