@@ -4,6 +4,8 @@ their rows.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import _patchmill as core
+
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
 from patchmill.textures import strategies, tool_posture
 
@@ -57,13 +59,15 @@ def _form(obj):
     if not hasattr(obj, "Form"):
         return set()
     if obj.Form == "Free":
-        return {"Spacing", "Depth", "DimpleDiameter", "RidgeHeight", "TextureKind", "PatchSide"}
+        return {"Spacing", "Depth", "DimpleDiameter", "RidgeHeight", "TextureKind", "PatchSide", "PatchSideAcross"}
     return {"FreeSide", "CrossFeed", "FeedPerTooth"}
 
 
 def idle_properties(obj):
     """Names of the properties of the texture operation `obj` that have no effect now."""
     idle = _mask(obj) | _axis(obj) | _form(obj)
+    if not core.two_sided(obj.PatchShape):
+        idle.add("PatchSideAcross")
     if obj.AutoOrigin:
         idle.add("Origin")
     if obj.AutoDirection:

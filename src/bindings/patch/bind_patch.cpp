@@ -10,7 +10,7 @@ namespace patchmill {
 namespace {
 
 patch::PatchPattern pattern_of(const std::string& shape, double spacing, int size,
-                               const std::string& order, const std::string& start) {
+                               const std::string& order, const std::string& start, int across) {
   patch::PatchPattern pattern;
   pattern.shape = shape_of(shape);
   pattern.order = choose<patch::HelixOrder>(
@@ -20,7 +20,7 @@ patch::PatchPattern pattern_of(const std::string& shape, double spacing, int siz
                                             {{"Same corner", patch::HelixStart::SameCorner},
                                              {"Nearest corner", patch::HelixStart::NearestCorner}});
   pattern.spacing = spacing;
-  pattern.size = size;
+  pattern.size = {size, across};
   patch::require_valid(pattern);
   return pattern;
 }
@@ -133,9 +133,11 @@ void bind_division(py::module_& m) {
   py::class_<patch::PatchPattern>(m, "PatchPattern",
                                   "Shape, spacing [mm], size and helix of patches.")
       .def(py::init(&pattern_of), py::arg("shape"), py::arg("spacing"), py::arg("size"),
-           py::arg("order") = "Inward", py::arg("start") = "Same corner")
+           py::arg("order") = "Inward", py::arg("start") = "Same corner", py::arg("across") = 0,
+           "`across` [dimples] is the other side of shapes that have two; 0: as `size`.")
       .def_readonly("spacing", &patch::PatchPattern::spacing)
-      .def_readonly("size", &patch::PatchPattern::size)
+      .def_property_readonly("size", [](const patch::PatchPattern& p) { return p.size.side; })
+      .def_property_readonly("across", [](const patch::PatchPattern& p) { return p.size.across; })
       .def_property_readonly(
           "cell_area",
           [](const patch::PatchPattern& p) {
@@ -176,12 +178,6 @@ void bind_division(py::module_& m) {
       },
       py::arg("pattern"), py::arg("patches_x"), py::arg("patches_y"),
       "A block of patches centred on the texture plane's origin.");
-  m.def(
-      "least_patch_side",
-      [](const std::string& shape) {
-        return shape_of(shape) == patch::PatchShape::Hexagon ? 0 : 1;
-      },
-      py::arg("shape"), "The smallest side that a patch may have.");
   m.def("drop_slivers", &patch::drop_slivers, py::arg("dimples"), py::arg("least"),
         "Leaves out the dimples of patches that have fewer than `least`.");
 }
@@ -189,11 +185,38 @@ void bind_division(py::module_& m) {
 }  // namespace
 
 patch::PatchShape shape_of(const std::string& name) {
-  return choose<patch::PatchShape>("PatchShape", name,
-                                   {{"Square", patch::PatchShape::Square},
-                                    {"Hexagon", patch::PatchShape::Hexagon},
-                                    {"Triangle", patch::PatchShape::Triangle}});
+  std::vector<std::pair<const char*, patch::PatchShape>> choices;
+  for (const patch::PatchShape shape : patch::all_patch_shapes())
+    choices.emplace_back(patch::traits(shape).name, shape);
+  return choose<patch::PatchShape>("PatchShape", name, choices);
 }
+
+namespace {
+
+void bind_shapes(py::module_& m) {
+  m.def(
+      "patch_shapes",
+      [] {
+        std::vector<std::string> names;
+        for (const patch::PatchShape shape : patch::all_patch_shapes())
+          names.emplace_back(patch::traits(shape).name);
+        return names;
+      },
+      "The names of all patch shapes, in the order in which they are offered.");
+  m.def(
+      "row_pitch", [](const std::string& shape) { return patch::row_pitch(shape_of(shape)); },
+      py::arg("shape"), "Distance of neighbouring rows of dimples over the spacing.");
+  m.def(
+      "two_sided",
+      [](const std::string& shape) { return patch::traits(shape_of(shape)).two_sided; },
+      py::arg("shape"), "Whether patches have a side across that may differ from the other.");
+  m.def(
+      "least_patch_side",
+      [](const std::string& shape) { return patch::traits(shape_of(shape)).least.side; },
+      py::arg("shape"), "The smallest side that a patch may have.");
+}
+
+}  // namespace
 
 void bind_patch(py::module_& m) {
   py::class_<patch::TexturePlane>(m, "TexturePlane", "Origin, axes and projection direction.")
@@ -204,6 +227,7 @@ void bind_patch(py::module_& m) {
   m.def("texture_plane", &patch::texture_plane, py::arg("origin"), py::arg("direction"),
         py::arg("x_hint"), py::arg("rotation") = 0.0,
         "A plane at right angles to `direction`, turned by `rotation` [rad].");
+  bind_shapes(m);
   bind_division(m);
   bind_dimples(m);
 }

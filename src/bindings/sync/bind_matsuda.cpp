@@ -10,13 +10,19 @@
 namespace patchmill {
 namespace {
 
+int regular_corners(const std::string& shape) {
+  if (!patch::is_regular(shape_of(shape)))
+    throw InputError("PatchShape", shape, "the free form takes regular polygons: choose Square.");
+  return patch::corners(shape_of(shape));
+}
+
 patch::MarkWish wish_of(const Tool& tool, double spindle_speed, const std::string& shape,
                         double side, const std::string& array, std::optional<double> feed_per_tooth,
                         std::optional<double> ridge_height, std::optional<double> cross_feed) {
   patch::MarkWish wish;
   wish.tool = tool;
   wish.spindle_speed = spindle_speed;
-  wish.corners = patch::corners(shape_of(shape));
+  wish.corners = regular_corners(shape);
   wish.side = side;
   wish.array = choose<patch::MarkArray>(
       "MarkArray", array,
@@ -51,7 +57,7 @@ py::list advise_list(const patch::MarkWish& wish) {
 
 patch::FreePatch patch_of(const std::string& shape, double side, double cross_feed,
                           double feed_per_tooth) {
-  const patch::FreePatch patch{patch::corners(shape_of(shape)), side, cross_feed, feed_per_tooth};
+  const patch::FreePatch patch{regular_corners(shape), side, cross_feed, feed_per_tooth};
   require_valid(patch);
   return patch;
 }

@@ -3,6 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import _patchmill as core
 import FreeCAD
 
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
@@ -56,8 +57,8 @@ PROPERTIES = [
         "App::PropertyEnumeration",
         "PatchShape",
         "Texture",
-        "Shape of the patches: squares on a square lattice, the others on a triangular one",
-        ["Square", "Hexagon", "Triangle"],
+        "Shape of the patches: squares and rectangles on a square lattice, the others on a triangular one",
+        core.patch_shapes(),
     ),
     (
         "App::PropertyInteger",
@@ -65,6 +66,13 @@ PROPERTIES = [
         "Texture",
         "Dimples along the side of a square or triangle; radius of a hexagon in dimples",
         14,
+    ),
+    (
+        "App::PropertyInteger",
+        "PatchSideAcross",
+        "Texture",
+        "Dimples along the other side of a patch whose sides may differ; 0: as the first side",
+        0,
     ),
     ("App::PropertyInteger", "PatchesX", "Texture", "Patches along X; 0 covers the faces", 0),
     ("App::PropertyInteger", "PatchesY", "Texture", "Patches along Y; 0 covers the faces", 0),

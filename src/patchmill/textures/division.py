@@ -75,35 +75,46 @@ def require_apart(given):
         core.texture_size("Isolated", shape, radius, spacing=given.spacing, depth=deepest)
 
 
-def _pattern(given, side):
+def _pattern(given, side, across):
     return core.PatchPattern(
-        given.patch_shape, given.spacing, side, given.helix_order, given.helix_start
+        given.patch_shape, given.spacing, side, given.helix_order, given.helix_start, across
     )
 
 
-def _size_of_patch(given, side):
-    outline = core.patch_block(_pattern(given, side), 1, 1).outlines()[0]
-    return outline.max(axis=0) - outline.min(axis=0)
+def _fits(given, side, across, room):
+    outline = core.patch_block(_pattern(given, side, across), 1, 1).outlines()[0]
+    return outline.max(axis=0) - outline.min(axis=0) <= room
+
+
+def _greatest(wanted, least, fits):
+    """The greatest number from `least` to `wanted` that fits; at least `least`."""
+    if fits(wanted):
+        return wanted
+    while wanted - least > 1:
+        middle = (least + wanted) // 2
+        least, wanted = (middle, wanted) if fits(middle) else (least, middle)
+    return least
 
 
 def _fitting(given, room, remarks):
-    """The pattern as it is given, or, if one patch is larger than `room`, with the greatest side that is
+    """The pattern as it is given, or, if one patch is larger than `room`, with the greatest sides that are
     not; at least the smallest patch there is. That is said in `remarks`."""
-    side = given.patch_side
-    if (_size_of_patch(given, side) <= room).all():
-        return _pattern(given, side)
-    fits, too_large = core.least_patch_side(given.patch_shape), side
-    while too_large - fits > 1:
-        middle = (fits + too_large) // 2
-        if (_size_of_patch(given, middle) <= room).all():
-            fits = middle
-        else:
-            too_large = middle
+    side, across = given.patch_side, given.patch_side_across
+    if _fits(given, side, across, room).all():
+        return _pattern(given, side, across)
+    least = core.least_patch_side(given.patch_shape)
+    if core.two_sided(given.patch_shape):
+        fitting = _greatest(side, 1, lambda n: _fits(given, n, 1, room)[0])
+        across = _greatest(across or side, 1, lambda n: _fits(given, 1, n, room)[1])
+        text = "%d x %d" % (fitting, across)
+    else:
+        fitting = _greatest(side, least, lambda n: _fits(given, n, 0, room).all())
+        text = "side %d" % fitting
     remarks.append(
-        "A patch of side %d is larger than the faces (%.4g x %.4g mm): patches have side %d."
-        % (side, *room, fits)
+        "A patch of side %d is larger than the faces (%.4g x %.4g mm): patches are made smaller, %s."
+        % (side, *room, text)
     )
-    return _pattern(given, fits)
+    return _pattern(given, fitting, across)
 
 
 def divide(given, plane, sampler, low, high, remarks, progress):
@@ -117,7 +128,7 @@ def divide(given, plane, sampler, low, high, remarks, progress):
         if covering:
             return core.cover(pattern, low, high), None
         return core.patch_block(pattern, given.patches_x, given.patches_y), None
-    pattern = _pattern(given, given.patch_side)
+    pattern = _pattern(given, given.patch_side, given.patch_side_across)
     laid = core.lay_on_faces(
         pattern,
         given.breps,

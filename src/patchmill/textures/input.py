@@ -32,6 +32,7 @@ class TextureInput:
     mapping: str = "Projected"
     patch_shape: str = "Square"
     patch_side: int = 14
+    patch_side_across: int = field(default=0, kw_only=True)  # of rectangles; 0: as patch_side
     patches_x: int = 0  # 0 with patches_y: as many as cover the faces
     patches_y: int = 0
     helix_order: str = "Inward"

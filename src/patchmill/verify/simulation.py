@@ -117,7 +117,7 @@ def _across(plan):
     """Distance of neighbouring passes [mm]."""
     if plan.free is not None:
         return plan.input.cross_feed
-    return plan.input.spacing * (1.0 if plan.input.patch_shape == "Square" else math.sqrt(0.75))
+    return plan.input.spacing * core.row_pitch(plan.input.patch_shape)
 
 
 def _alignment_of_sector(plan, places):

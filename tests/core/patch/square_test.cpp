@@ -13,7 +13,7 @@ namespace {
 RC_GTEST_PROP(SquareHelix, VisitsEachPointOnceInUnitSteps, ()) {
   const int side = *rc::gen::inRange(1, 40);
   for (HelixOrder order : {HelixOrder::Inward, HelixOrder::Outward}) {
-    const auto path = square_helix(side, order);
+    const auto path = patch_helix(PatchShape::Square, side, order);
     RC_ASSERT(path.size() == std::size_t(side) * side);
     RC_ASSERT(std::set<LatticePoint>(path.begin(), path.end()).size() == path.size());
     for (std::size_t i = 1; i < path.size(); ++i)
@@ -23,7 +23,7 @@ RC_GTEST_PROP(SquareHelix, VisitsEachPointOnceInUnitSteps, ()) {
 
 TEST(SquareHelix, LoopsShrinkByEight) {
   // 5 x 5: outline 16, next loop 8, centre 1
-  const auto path = square_helix(5, HelixOrder::Inward);
+  const auto path = patch_helix(PatchShape::Square, 5, HelixOrder::Inward);
   auto loop = [](const LatticePoint& p) {
     return std::min(std::min(p[0], 4 - p[0]), std::min(p[1], 4 - p[1]));
   };

@@ -26,29 +26,29 @@ void require_count(const PatchPattern& p, double patches, std::int64_t max_dimpl
 // Turns each helix so that it starts at the corner next to the end of the one before.
 void turn_to_nearest(PatchDivision& d) {
   const PatchPattern& p = d.pattern;
-  const int n = corners(p.shape);
-  std::array<std::array<std::array<LatticePoint, 2>, 6>, 2> ends;  // [down][turn]{first, last}
+  const int n = traits(p.shape).turns;
+  std::array<std::vector<std::array<LatticePoint, 2>>, 2> ends;  // [down][turn]{first, last}
   for (int down = 0; down < 2; ++down)
     for (int turn = 0; turn < n; ++turn) {
       const auto helix = patch_helix(p.shape, p.size, p.order, down == 1, turn);
-      ends[down][turn] = {helix.front(), helix.back()};
+      ends[std::size_t(down)].push_back({helix.front(), helix.back()});
     }
   Vec2 before = Vec2::Zero();
   for (std::size_t k = 0; k < d.cells.size(); ++k) {
     PatchCell& cell = d.cells[k];
     const Vec2 origin = to_vec(cell_origin(p, cell));
     auto gap = [&](int turn) {
-      return (place(d, origin + to_vec(ends[cell.down][turn][0])) - before).norm();
+      return (place(d, origin + to_vec(ends[cell.down][std::size_t(turn)][0])) - before).norm();
     };
     for (int turn = 1; k > 0 && turn < n; ++turn)
       if (gap(turn) < gap(cell.turn) - 1e-9 * p.spacing) cell.turn = turn;
-    before = place(d, origin + to_vec(ends[cell.down][cell.turn][1]));
+    before = place(d, origin + to_vec(ends[cell.down][std::size_t(cell.turn)][1]));
   }
 }
 
-// Sorts cells into rows (hexagons: columns), to and fro.
+// Sorts cells into rows or columns, to and fro.
 void order_cells(PatchDivision& d) {
-  const bool columns = d.pattern.shape == PatchShape::Hexagon;
+  const bool columns = traits(d.pattern.shape).in_columns;
   auto row = [&](const PatchCell& c) { return columns ? c.a : c.b; };
   auto along = [&](const PatchCell& c) { return columns ? c.b : 2 * c.a + (c.down ? 1 : 0); };
   std::sort(d.cells.begin(), d.cells.end(), [&](const PatchCell& l, const PatchCell& r) {
@@ -99,17 +99,7 @@ std::array<int, 4> cell_range(const PatchDivision& d, const Box2& area) {
 }
 
 Vec2 centred_anchor(const PatchPattern& p, const Box2& area) {
-  Vec2 anchor = area.center();
-  if (p.shape == PatchShape::Triangle)
-    anchor -= lattice_place(LatticeKind::Triangular, p.spacing, Vec2(-0.5, -0.5));
-  if (p.shape == PatchShape::Square) {
-    const double size = p.size * p.spacing;
-    for (int k = 0; k < 2; ++k) {
-      const double patches = std::max(1.0, std::ceil(area.sizes()[k] / size - 1e-9));
-      anchor[k] += 0.5 * p.spacing - 0.5 * (std::fmod(patches, 2.0) == 0.0 ? 0.0 : size);
-    }
-  }
-  return anchor;
+  return area.center() + p.spacing * traits(p.shape).anchor(p.size, Vec2(area.sizes() / p.spacing));
 }
 
 }  // namespace
@@ -122,19 +112,11 @@ PatchDivision patch_block(const PatchPattern& pattern, int patches_x, int patche
   require_count(pattern, double(patches_x) * patches_y, max_dimples);
   PatchDivision d;
   d.pattern = pattern;
-  const int m = pattern.size;
   for (int x = 0; x < patches_x; ++x)
-    for (int y = 0; y < patches_y; ++y) switch (pattern.shape) {
-        case PatchShape::Square:
-          d.cells.push_back({x, y, false, 0});
-          break;
-        case PatchShape::Hexagon:  // every second column steps down, so that columns stand level
-          d.cells.push_back({x, y - x / 2, false, 0});
-          break;
-        case PatchShape::Triangle:  // rows lean to the right by m/2 of the m+1 steps of a cell
-          d.cells.push_back({x / 2 - (y * m + m + 1) / (2 * (m + 1)), y, x % 2 == 1, 0});
-          break;
-      }
+    for (int y = 0; y < patches_y; ++y) {
+      const auto [cell, inverted] = traits(pattern.shape).in_block(pattern.size, x, y);
+      d.cells.push_back({cell[0], cell[1], inverted, 0});
+    }
   Box2 around;
   for (const Polygon& outline : outlines(d))
     for (const Vec2& corner : outline) around.extend(corner);
@@ -167,7 +149,7 @@ PatchDivision cover(const PatchPattern& pattern, const Box2& area, const Vec2& a
   for (int a = range[0]; a <= range[1]; ++a)
     for (int b = range[2]; b <= range[3]; ++b)
       for (bool down : {false, true}) {
-        if (down && pattern.shape != PatchShape::Triangle) continue;
+        if (down && !traits(pattern.shape).has_inverted) continue;
         const PatchCell cell{a, b, down, 0};
         Polygon outline = outline_in_lattice(pattern, cell);
         for (Vec2& corner : outline) corner = place(d, corner);
@@ -182,7 +164,7 @@ PatchDivision keep_patches(PatchDivision d, const std::function<bool(const Latti
   const PatchPattern& p = d.pattern;
   const std::vector<LatticePoint> points[2] = {
       patch_helix(p.shape, p.size, p.order, false),
-      patch_helix(p.shape, p.size, p.order, p.shape == PatchShape::Triangle)};
+      patch_helix(p.shape, p.size, p.order, traits(p.shape).has_inverted)};
   auto unwanted = [&](const PatchCell& cell) {
     const LatticePoint origin = cell_origin(p, cell);
     return std::none_of(points[cell.down].begin(), points[cell.down].end(),

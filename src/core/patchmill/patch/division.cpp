@@ -11,40 +11,13 @@
 namespace patchmill::patch {
 namespace {
 
-// Corners of the cell (0, 0) in lattice coordinates, counter-clockwise.
-Polygon first_outline(PatchShape shape, int size, bool down) {
-  const double m = size;
-  switch (shape) {
-    case PatchShape::Square:
-      return {{-0.5, -0.5}, {m - 0.5, -0.5}, {m - 0.5, m - 0.5}, {-0.5, m - 0.5}};
-    case PatchShape::Hexagon: {
-      // The places nearer to this patch's centre than to any other's; its corners are the centres
-      // of the triangles of neighbouring patch centres, v and v turned by 60°: (i, j) -> (-j, i+j).
-      Polygon corner;
-      Vec2 v(m + 1.0 + m,
-             -(m + 1.0));  // tiling vector (2r+1, -r-1), the first clockwise of (r+1, r)
-      for (int k = 0; k < 6; ++k) {
-        const Vec2 next(-v.y(), v.x() + v.y());
-        corner.push_back((v + next) / 3.0);
-        v = next;
-      }
-      return corner;
-    }
-    case PatchShape::Triangle:
-      // All patch corners are at (-1/2, -1/2) plus whole cells, so that they are shared; sides are
-      // m+1 and m steps, equilateral but for one part in m.
-      if (down) return {{m + 0.5, -0.5}, {m + 0.5, m - 0.5}, {-0.5, m - 0.5}};
-      return {{-0.5, -0.5}, {m + 0.5, -0.5}, {-0.5, m - 0.5}};
-  }
-  return {};
-}
-
 // helices[down][turn], empty where not needed
-using Helices = std::array<std::array<std::vector<LatticePoint>, 6>, 2>;
+using Helices = std::array<std::vector<std::vector<LatticePoint>>, 2>;
 
 Helices helices_of(const PatchDivision& division) {
   Helices helices;
   const PatchPattern& p = division.pattern;
+  for (auto& of_turn : helices) of_turn.resize(std::size_t(traits(p.shape).turns));
   for (const PatchCell& cell : division.cells) {
     auto& helix = helices[cell.down][static_cast<std::size_t>(cell.turn)];
     if (helix.empty()) helix = patch_helix(p.shape, p.size, p.order, cell.down, cell.turn);
@@ -56,22 +29,11 @@ Helices helices_of(const PatchDivision& division) {
 
 void require_valid(const PatchPattern& p) {
   require_positive("Spacing", p.spacing, "mm");
-  if (p.shape == PatchShape::Hexagon)
-    require_in_range("PatchSide", p.size, 0, 5000, "steps from the centre to a corner");
-  else
-    require_in_range("PatchSide", p.size, 1, 10000, "dimples");
+  require_valid(p.shape, p.size);
 }
 
-std::array<LatticePoint, 2> tiling_vectors(PatchShape shape, int size) {
-  switch (shape) {
-    case PatchShape::Square:
-      return {LatticePoint{size, 0}, LatticePoint{0, size}};
-    case PatchShape::Hexagon:
-      return {LatticePoint{size + 1, size}, LatticePoint{-size, 2 * size + 1}};
-    case PatchShape::Triangle:
-      return {LatticePoint{size + 1, 0}, LatticePoint{0, size}};
-  }
-  return {};
+std::array<LatticePoint, 2> tiling_vectors(PatchShape shape, PatchSize size) {
+  return traits(shape).tiling_vectors(size);
 }
 
 LatticePoint cell_origin(const PatchPattern& pattern, const PatchCell& cell) {
@@ -84,7 +46,7 @@ Vec2 place(const PatchDivision& d, const Vec2& lattice) {
 }
 
 Polygon outline_in_lattice(const PatchPattern& pattern, const PatchCell& cell) {
-  Polygon outline = first_outline(pattern.shape, pattern.size, cell.down);
+  Polygon outline = traits(pattern.shape).outline(pattern.size, cell.down);
   const Vec2 origin = to_vec(cell_origin(pattern, cell));
   for (Vec2& corner : outline) corner += origin;
   return outline;

@@ -1,10 +1,7 @@
 // Patch division: which lattice points make which patch, and in what order they are milled.
 // The patches of a shape are copies of one another, set on tiling vectors so that every lattice
 // point belongs to exactly one patch and lines of dimples run on from patch to patch (Matsuda 2008,
-// section 2.1 and Fig. 1a; Xu & Sasahara 2016, section 2.1). In lattice units:
-//   square, m per side        (m, 0), (0, m)
-//   hexagon, radius r         (r+1, r), (-r, 2r+1)
-//   triangle, m per side      (m+1, 0), (0, m), an upright and an inverted patch to each cell
+// section 2.1 and Fig. 1a; Xu & Sasahara 2016, section 2.1). What each shape has of its own is in shapes/.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -14,7 +11,6 @@
 namespace patchmill::patch {
 
 using Box2 = Eigen::AlignedBox2d;
-using Polygon = std::vector<Vec2>;
 
 /// Where the helix of a patch begins.
 enum class HelixStart : std::uint8_t {
@@ -26,7 +22,7 @@ enum class HelixStart : std::uint8_t {
 struct PatchPattern {
   PatchShape shape = PatchShape::Square;
   double spacing = 0.0;  ///< f: distance of neighbouring lattice points in the texture plane [mm]
-  int size = 0;          ///< dimples along a side (square, triangle), or the radius r (hexagon)
+  PatchSize size = 0;    ///< dimples along a side, or the radius r (hexagon)
   HelixOrder order = HelixOrder::Inward;
   HelixStart start = HelixStart::SameCorner;
 };
@@ -34,7 +30,7 @@ struct PatchPattern {
 /// One patch: cell (a, b) of the tiling, its helix turned by `turn` corners.
 struct PatchCell {
   std::int32_t a = 0, b = 0;
-  bool down = false;  ///< the inverted triangle of the cell
+  bool down = false;  ///< the inverted patch of the cell, of shapes that have them
   std::int32_t turn = 0;
 };
 
@@ -45,11 +41,11 @@ struct PatchDivision {
   std::vector<PatchCell> cells;
 };
 
-/// Errors: InputError naming Spacing or PatchSide.
+/// Errors: InputError naming Spacing, PatchSide or PatchSideAcross.
 void require_valid(const PatchPattern& pattern);
 
 /// The two tiling vectors in lattice units.
-std::array<LatticePoint, 2> tiling_vectors(PatchShape shape, int size);
+std::array<LatticePoint, 2> tiling_vectors(PatchShape shape, PatchSize size);
 
 /// Lattice coordinates that a patch's helix is counted from.
 LatticePoint cell_origin(const PatchPattern& pattern, const PatchCell& cell);
