@@ -6,4 +6,5 @@
 #define PATCHMILL_PATCH_SHAPES(SHAPE) \
   SHAPE(Square)                       \
   SHAPE(Hexagon)                      \
-  SHAPE(Triangle)
+  SHAPE(Triangle)                     \
+  SHAPE(Rectangle)
