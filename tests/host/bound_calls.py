@@ -83,6 +83,15 @@ call("FaceSampler.sample", t.sampler.sample, points=ROWS2)
 call("FaceSampler.place", t.sampler.place, division=t.division, plane=t.plane, surface=t.surface,
      lattice=t.lattice)
 call("facing", breps=[t.FACE])
+call("seen_best", breps=[t.FACE], preferred=(0.0, 0.0, -1.0))
+call("lay_on_faces", pattern=t.pattern, breps=[t.FACE], plane=t.plane, sampler=t.sampler, steepest=1.2,
+     rotation=0.1)
+call("keep_apart", on_dimples(core.keep_apart), least=0.1)
+call("nearest_distances", dimples=t.dimples)
+call("row_pitch", shape="Square")
+call("two_sided", shape="Square")
+call("least_patch_side", shape="Square")
+call("patch_shapes")
 call("PatchPattern", shape="Square", spacing=0.5, size=3, order="Inward", start="Same corner")
 call("PatchSurface", lambda **given: t.sampler.place(t.division, t.plane, core.PatchSurface(**given)),
      kind="Pyramid", fit="Best fit", height_factor=1.0, apex_lift=0.1)

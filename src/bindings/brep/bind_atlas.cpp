@@ -4,6 +4,7 @@
 #include "brep/atlas_faces.h"
 #include "brep/face_sampler.h"
 #include "brep/read_shape.h"
+#include "patchmill/geometry/require.h"
 #include "patchmill/patch/atlas/laid_lattice.h"
 
 namespace patchmill {
@@ -30,6 +31,9 @@ std::optional<LaidOnFaces> lay_on_faces(const patch::PatchPattern& pattern,
                                         const py::object& progress) {
   const Progress report = progress_of(progress);
   const py::gil_scoped_release release;
+  require_in_range("SteepestSlope", Angle::radians(steepest).degrees(), 0.01, 90.0, "degrees");
+  require_finite("Rotation", rotation, "rad");
+  if (start) require_finite("Origin", *start, "mm");
   const std::vector<TopoDS_Face> faces = all_faces(breps);
   patch::AtlasStart begin;
   begin.rotation = Angle::radians(rotation);

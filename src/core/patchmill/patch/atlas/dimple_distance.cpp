@@ -1,5 +1,6 @@
 // Distances between dimples, whatever lattice, patch or face they belong to; see laid_lattice.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/geometry/error.h"
 #include "patchmill/patch/atlas/laid_lattice.h"
 #include "patchmill/patch/atlas/near_points.h"
 
@@ -12,7 +13,8 @@
 namespace patchmill::patch {
 
 std::int64_t keep_apart(Dimples& dimples, double least) {
-  if (!(least > 0.0)) return 0;
+  require_in_range("LeastDistance", least, 0.0, 1e6, "mm");
+  if (least == 0.0) return 0;
   NearPoints kept(least);
   std::int64_t count = 0;
   for (std::size_t k = 0; k < dimples.size(); ++k) {

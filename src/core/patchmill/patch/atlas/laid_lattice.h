@@ -72,6 +72,7 @@ SurfaceLattice as_surface_lattice(std::shared_ptr<const LaidLattice> laid,
                                   const TexturePlane& plane);
 
 /// Cut dimples nearer than `least` [mm], straight in space, to one before them become Crowded. Returns how many.
+/// Errors: InputError naming LeastDistance (0 .. 1e6).
 std::int64_t keep_apart(Dimples& dimples, double least);
 
 /// Distance of each cut dimple to the nearest other one, straight in space [mm], in their order; infinite if there
