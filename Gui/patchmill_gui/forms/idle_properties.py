@@ -59,7 +59,8 @@ def _form(obj):
     if not hasattr(obj, "Form"):
         return set()
     if obj.Form == "Free":
-        return {"Spacing", "Depth", "DimpleDiameter", "RidgeHeight", "TextureKind", "PatchSide", "PatchSideAcross"}
+        sizes = {"Spacing", "Depth", "DimpleDiameter", "RidgeHeight", "TextureKind"}
+        return sizes | {"PatchSide", "PatchSideAcross"}
     return {"FreeSide", "CrossFeed", "FeedPerTooth"}
 
 
