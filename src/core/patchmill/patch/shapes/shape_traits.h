@@ -52,6 +52,7 @@ struct ShapeTraits {
   Vec2 (*anchor)(PatchSize, const Vec2& cells);
 };
 
+/// What is known of a shape; lives as long as the program.
 const ShapeTraits& traits(PatchShape shape);
 
 /// All of them, in the order in which they are offered.
