@@ -72,6 +72,18 @@ def run(status, command, channel):
         calm = calm + 1 if idle and begun else 0
 
 
+def switch_on(status, command, channel):
+    """Out of the emergency stop and on. On a busy computer the stop is still there when it has been reset."""
+    deadline = time.monotonic() + START_SECONDS
+    while status.task_state != linuxcnc.STATE_ON:
+        if time.monotonic() > deadline:
+            leave('unknown: the machine did not switch on')
+        order(command, channel, command.state, linuxcnc.STATE_ESTOP_RESET)
+        order(command, channel, command.state, linuxcnc.STATE_ON)
+        time.sleep(0.05)
+        status.poll()
+
+
 def home(status, command, channel):
     """Kinematics other than the identity want homed joints."""
     order(command, channel, command.mode, linuxcnc.MODE_MANUAL)
@@ -90,9 +102,7 @@ def home(status, command, channel):
 
 def main():
     status, command, channel = connect()
-    order(command, channel, command.state, linuxcnc.STATE_ESTOP_RESET)
-    order(command, channel, command.state, linuxcnc.STATE_ON)
-    status.poll()
+    switch_on(status, command, channel)
     if status.joints > 3:
         home(status, command, channel)
     order(command, channel, command.mode, linuxcnc.MODE_AUTO)
