@@ -22,8 +22,9 @@ machine::MotionModel model_of(double velocity, double acceleration, double jerk,
 }
 
 sync::PacedRule rule_of(bool locked, const sync::PhaseRule& phase, double lift, double safe_height,
-                        double clearance_height, const std::vector<double>& turning) {
+                        double clearance_height, const std::vector<double>& turning, bool rows) {
   sync::PacedRule rule;
+  rule.rows = rows;
   rule.turning = turning;
   rule.pace = locked ? Pace::SpindleLocked : Pace::Feed;
   rule.phase = phase;
@@ -95,7 +96,7 @@ void bind_paths(py::module_& m) {
                               "Spindle-locked or feed-paced, with lift and heights [mm].")
       .def(py::init(&rule_of), py::arg("locked"), py::arg("phase"), py::arg("lift"),
            py::arg("safe_height"), py::arg("clearance_height"),
-           py::arg("turning") = std::vector<double>());
+           py::arg("turning") = std::vector<double>(), py::arg("rows") = false);
   m.def(
       "paced_path",
       [](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,

@@ -52,12 +52,11 @@ inline SurfacePoint table1_point(double x, double y) {
   return point;
 }
 
-/// Dimples of patches_x by patches_y square patches of side x side, row by row to and fro, `spacing` apart and
+/// Dimples of patches_x by patches_y patches of side x side, row by row to and fro, `spacing` apart and
 /// moved by `shift` from their places around the origin [mm].
-inline Dimples table1_dimples(int side, int patches_x, int patches_y, double spacing = 0.5,
-                              const Vec2& shift = Vec2::Zero()) {
-  const PatchDivision division =
-      patch_block({PatchShape::Square, spacing, side}, patches_x, patches_y);
+inline Dimples table1_dimples(PatchShape shape, int side, int patches_x, int patches_y,
+                              double spacing, const Vec2& shift) {
+  const PatchDivision division = patch_block({shape, spacing, side}, patches_x, patches_y);
   Dimples dimples = lattice_points(division);
   for (Dimple& dimple : dimples) {
     const Vec2 at = place(division, dimple.lattice) + shift;
@@ -65,14 +64,22 @@ inline Dimples table1_dimples(int side, int patches_x, int patches_y, double spa
   }
   return dimples;
 }
+/// The same of square patches.
+inline Dimples table1_dimples(int side, int patches_x, int patches_y, double spacing = 0.5,
+                              const Vec2& shift = Vec2::Zero()) {
+  return table1_dimples(PatchShape::Square, side, patches_x, patches_y, spacing, shift);
+}
 
 /// The same with the first dimple of the first patch over `first` [mm].
+inline Dimples table1_dimples_from(PatchShape shape, const Vec2& first, int side, int patches_x,
+                                   int patches_y, double spacing) {
+  const PatchDivision division = patch_block({shape, spacing, side}, patches_x, patches_y);
+  const Vec2 shift = first - place(division, lattice_points(division).front().lattice);
+  return table1_dimples(shape, side, patches_x, patches_y, spacing, shift);
+}
 inline Dimples table1_dimples_from(const Vec2& first, int side, int patches_x, int patches_y,
                                    double spacing = 0.5) {
-  const PatchDivision division =
-      patch_block({PatchShape::Square, spacing, side}, patches_x, patches_y);
-  const Vec2 shift = first - place(division, lattice_points(division).front().lattice);
-  return table1_dimples(side, patches_x, patches_y, spacing, shift);
+  return table1_dimples_from(PatchShape::Square, first, side, patches_x, patches_y, spacing);
 }
 
 }  // namespace patchmill::patch

@@ -15,7 +15,9 @@ namespace {
 const double kNormalShare = std::sqrt(3.0) / 2.0;  // of the acceleration, on an arc
 constexpr double kStraight = 1e-9;                 // rad: no corner at all
 constexpr double kReversal = kPi * 178.0 / 180.0;  // rad: a corner as sharp as this is no kink
-constexpr double kKinkShare = 0.1;  // of the acceleration: a kink that needs less is run over
+constexpr double kKinkShare = 0.1;  // of the acceleration: what a kink may take of it
+constexpr double kSwallowPeriods =
+    4.0;  // a straight that an arc's speed passes in fewer is left out
 
 // sec(x) - 1 without cancellation
 double exsec(double x) {
@@ -23,14 +25,26 @@ double exsec(double x) {
   return 2.0 * s * s / std::cos(x);
 }
 
-// The turning angle below which the controller sees no corner: at the greatest speed that it may
-// have there, the change of velocity within one period stays a small share of the acceleration.
-double overlooked_angle(const Vec3& before, const Vec3& after, const MotionModel& model) {
-  const auto fastest = [&model](const Vec3& way) {
-    const double length = way.norm();
-    return std::min(velocity_along(model, way / length), length / model.period);
-  };
-  return kKinkShare * model.acceleration * model.period / std::min(fastest(before), fastest(after));
+double turning_angle(const Vec3& before, const Vec3& after) {
+  return std::atan2(before.cross(after).norm(), before.dot(after));
+}
+
+// The speed that the planner thinks of on a side: no move takes less than a period.
+double fastest(const CornerSide& side, const MotionModel& model) {
+  return std::min(velocity_along(model, side.direction), side.length / model.period);
+}
+
+// Share of the acceleration that the jump of velocity takes if the corner is passed at `speed` in one
+// period, while the next move already accelerates.
+double kink_share(const CornerSide& before, const CornerSide& after, double speed,
+                  const MotionModel& model) {
+  const double jump = speed / model.period + acceleration_along(model, after.direction);
+  return jump * (after.direction - before.direction).cwiseAbs().maxCoeff() / model.acceleration;
+}
+
+// An axis' limit in the plane at right angles to `binormal`: the least reach of a box of that half side.
+double in_plane(double limit, const Vec3& binormal) {
+  return limit / std::sqrt(1.0 - binormal.cwiseAbs2().minCoeff());
 }
 
 double end_tolerance(const Move& move, const MotionModel& model) {
@@ -44,8 +58,7 @@ Corner corner_blend(double angle, double tolerance, double length_before, double
   Corner corner;
   corner.angle = angle;
   if (angle < kStraight) return corner;
-  corner.kink = angle < kReversal;
-  if (!(tolerance > 0.0) || !corner.kink) {
+  if (!(tolerance > 0.0) || angle >= kReversal) {
     corner.stop = true;
     return corner;
   }
@@ -55,11 +68,71 @@ Corner corner_blend(double angle, double tolerance, double length_before, double
   const double radius = corner.trim / half_tangent;
   corner.arc = radius * angle;
   corner.speed = std::sqrt(kNormalShare * acceleration * radius);
+  corner.along = 0.5 * acceleration;
   return corner;
 }
 
+namespace {
+
+// The arc that the controller would choose, its speed not yet held to one period.
+Corner chosen_arc(const CornerSide& before, const CornerSide& after, double angle, double tolerance,
+                  const MotionModel& model) {
+  const Vec3 binormal = before.direction.cross(after.direction).normalized();
+  const double acceleration = in_plane(model.acceleration, binormal);
+  Corner corner = corner_blend(angle, tolerance, before.length, after.length, acceleration);
+  if (corner.stop) return corner;
+  const double goal = std::min(std::max(fastest(before, model), fastest(after, model)),
+                               in_plane(model.velocity, binormal));
+  if (corner.speed <= goal) return corner;
+  // the axes are slower than the arc: it is made as small as they need, or as a parabola would be
+  const double half_tangent = std::tan(0.5 * angle), half = 0.5 * acceleration;
+  const double seconds = std::min(std::sqrt(2.0 * half * corner.trim), goal) / half;
+  const double parabola = std::min(seconds * goal / angle, corner.trim / half_tangent);
+  const double radius = std::max(goal * goal / (kNormalShare * acceleration), parabola);
+  const double across = goal * goal / radius / acceleration;
+  corner.trim = radius * half_tangent;
+  corner.arc = radius * angle;
+  corner.speed = goal;
+  corner.along = std::sqrt(1.0 - across * across) * acceleration;
+  return corner;
+}
+
+}  // namespace
+
+double kink_speed(const CornerSide& before, const CornerSide& after, const MotionModel& model) {
+  const double speed = std::min(fastest(before, model), fastest(after, model));
+  const double share = kink_share(before, after, speed, model);
+  return share < kKinkShare ? speed : speed * kKinkShare / share;
+}
+
+Corner corner_between(const CornerSide& before, const CornerSide& after, double tolerance,
+                      const MotionModel& model) {
+  const double angle = turning_angle(before.direction, after.direction);
+  Corner kink;
+  kink.angle = angle;
+  if (angle < kStraight) return kink;
+  if (angle >= kReversal) {
+    kink.stop = true;
+    return kink;
+  }
+  const double speed = std::min(fastest(before, model), fastest(after, model));
+  const double share = kink_share(before, after, speed, model);
+  kink.reduction = std::min(share, kKinkShare);
+  kink.speed = share < kKinkShare ? speed : speed * kKinkShare / share;
+  if (share < kKinkShare) return kink;
+  if (!(tolerance > 0.0)) {
+    kink.stop = true;
+    return kink;
+  }
+  Corner arc = chosen_arc(before, after, angle, tolerance, model);
+  arc.swallows = before.left - arc.trim < kSwallowPeriods * model.period * arc.speed;
+  arc.planned = arc.speed;
+  arc.speed = std::min(arc.speed, arc.arc / model.period);
+  return arc.speed > kink.speed ? arc : kink;
+}
+
 double acceleration_beside(const Corner& before, const Corner& after, double acceleration) {
-  return before.kink || after.kink ? (1.0 - kKinkShare) * acceleration : acceleration;
+  return (1.0 - std::max(before.reduction, after.reduction)) * acceleration;
 }
 
 double tolerance_for_speed(double angle, double speed, double acceleration) {
@@ -94,10 +167,10 @@ std::vector<Corner> corners(const ToolPath& path, const MotionModel& model) {
     if (before.isZero() || after.isZero()) continue;
     // a move with an exact stop at its end does not hold the tolerance of its beginning
     const double next = posted[i + 1] > 0.0 ? posted[i + 1] : posted[i];
-    const double angle = Angle::between(before, after).radians();
-    if (angle < overlooked_angle(before, after, model)) continue;
-    result[i] = corner_blend(angle, std::min(posted[i], next), before.norm(), after.norm(),
-                             model.acceleration);
+    const double length = before.norm();
+    const CornerSide to{before / length, length, length - (i ? result[i - 1].trim : 0.0)};
+    const CornerSide from_it{after.normalized(), after.norm(), after.norm()};
+    result[i] = corner_between(to, from_it, std::min(posted[i], next), model);
   }
   return result;
 }

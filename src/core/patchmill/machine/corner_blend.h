@@ -1,9 +1,14 @@
-// How a controller rounds the corners of a path within a tolerance, and what that does to a
+// What a controller makes of the corners of a path within a tolerance, and what that does to a
 // spindle-locked one. A corner of turning angle theta rounded by an arc that stays within delta of
 // it has
 //     radius R = delta / (sec(theta/2) - 1),   trim d = R tan(theta/2),   arc R theta,
 // and is passed at sqrt(sqrt(3)/2 a R): the controller keeps half of the acceleration for along the
-// path. The lock counts turns as (length along the rounded path) / K, K of the *next* move on the
+// path. No arc is passed in less than an interpolation period, nor is it greater than the axes' velocity
+// asks for. Where that would be slower, the corner is run over as a kink, at the speed whose jump takes
+// a tenth of the acceleration, which both neighbours then give up. A straight of less than four periods
+// before an arc is swallowed by it: it becomes a part of the arc, with its K and acceleration.
+//
+// The lock counts turns as (length along the rounded path) / K, K of the *next* move on the
 // arc. So rounding loses (2 d - R theta) / K turns and a change of K at the corner d (1/K - 1/K');
 // both are known, and the K of the program are chosen so that every move takes its planned turns.
 // Deviation: the papers know no locked paths. The constants are LinuxCNC's.
@@ -19,17 +24,34 @@ namespace patchmill::machine {
 
 /// One corner of a path, between a move and the next.
 struct Corner {
-  double angle = 0.0;  ///< turning angle theta, 0 = straight on [rad]
-  bool stop = false;   ///< the machine stops here
-  bool kink = false;   ///< the controller has seen a corner: it keeps a tenth of both neighbours'
-                       ///< acceleration for it, even if it stops
-  double trim = 0.0;   ///< length that the arc takes from each neighbour [mm]
-  double arc = 0.0;    ///< length of the arc [mm]
-  double speed = std::numeric_limits<double>::infinity();  ///< greatest speed on the arc [mm/s]
+  double angle = 0.0;     ///< turning angle theta, 0 = straight on [rad]
+  bool stop = false;      ///< the machine stops here
+  bool swallows = false;  ///< the straight before it is too short, and becomes a part of the arc
+  double reduction =
+      0.0;            ///< share of both neighbours' acceleration that the controller keeps for it
+  double trim = 0.0;  ///< length that the arc takes from each neighbour [mm]
+  double arc = 0.0;   ///< length of the arc; 0: none [mm]
+  double speed = std::numeric_limits<double>::infinity();  ///< greatest speed at the corner [mm/s]
+  double planned = 0.0;  ///< speed that the arc was made for: speed is held to one period [mm/s]
+  double along = 0.0;    ///< acceleration along the arc [mm/s²]
 };
 
-/// Rounding of a corner of `angle` within `tolerance`, between moves of the two lengths (an arc
-/// takes at most half of a neighbour). Tolerance 0: a stop.
+/// A move on one side of a corner.
+struct CornerSide {
+  Vec3 direction;       ///< unit, along the path
+  double length = 0.0;  ///< [mm]
+  double left = 0.0;    ///< what the corner before has left of it [mm]
+};
+
+/// The corner between two straights under a tolerance; 0: a stop, unless it is no corner to the controller.
+Corner corner_between(const CornerSide& before, const CornerSide& after, double tolerance,
+                      const MotionModel& model);
+
+/// Greatest speed at which the corner is run over as a kink [mm/s].
+double kink_speed(const CornerSide& before, const CornerSide& after, const MotionModel& model);
+
+/// Arc of radius R within `tolerance` of a corner of `angle`, between moves of the two lengths (it takes
+/// at most half of a neighbour), and its greatest speed. Tolerance 0: a stop.
 Corner corner_blend(double angle, double tolerance, double length_before, double length_after,
                     double acceleration);
 

@@ -55,7 +55,7 @@ class Fitter {
     if (!(length > 0.0)) return 0.0;
     // every vertex is a kink, of which the controller keeps a share
     machine::Corner kink;
-    kink.kink = true;
+    kink.reduction = 0.1;  // of a corner that is stopped at
     const double a =
         machine::acceleration_beside(kink, kink, machine::acceleration_along(model_, way / length));
     const double speed = std::min(feed_, machine::velocity_along(model_, way / length));

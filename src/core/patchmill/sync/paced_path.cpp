@@ -4,7 +4,10 @@
 
 #include "patchmill/geometry/error.h"
 #include "patchmill/machine/corner_blend.h"
+#include "patchmill/sync/path_repair.h"
 #include "patchmill/sync/planned_dimples.h"
+#include "patchmill/sync/row_rounding.h"
+#include "patchmill/sync/row_steps.h"
 #include "patchmill/sync/turnaround.h"
 
 #include <algorithm>
@@ -15,17 +18,9 @@
 namespace patchmill::sync {
 namespace {
 
-constexpr double kRowHeadroom = 1.8;  // kinks of a row are passed at up to this multiple of speed
-constexpr double kFinestRounding = 1e-6;  // mm, G64 P with six decimals
-constexpr double kCoarsestRow = 5e-4;     // mm of rounding that a row may have on a dimple
-constexpr double kLongestStep = 2.5;      // a step longer than this times the shortest is a gap
-
-// From a dimple to the next one.
-struct Step {
-  Vec3 direction;
-  double length, turns;  // turns: in a row
-  double pitch() const { return length / turns; }
-};
+constexpr int kRepairs = 8;  // rounds of planning and predicting
+constexpr double kLeastEase =
+    0.1;  // of the time that the way between two rows needs, the least it gets
 
 void require_valid(const PacedRule& rule, std::size_t dimples, const Tool& tool,
                    const Spindle& spindle, const machine::MotionModel& model) {
@@ -49,115 +44,67 @@ void require_valid(const PacedRule& rule, std::size_t dimples, const Tool& tool,
   require_heights(rule.safe_height, rule.clearance_height);
 }
 
-// Nearest to one tooth: in [M/2, 3M/2).
-double row_turns(double advance, double period) {
-  return advance < 0.5 * period ? advance + period : advance;
-}
-
-std::vector<Step> steps_between(const std::vector<PlannedDimple>& planned, const PacedRule& rule,
-                                const Tool& tool, const Spindle& spindle) {
-  const double period = phase_period(tool.flutes, rule.phase.flutes).turns();
-  std::vector<Step> steps;
-  for (std::size_t i = 0; i + 1 < planned.size(); ++i) {
-    const PlannedDimple &a = planned[i], &b = planned[i + 1];
-    const Vec3 way = b.tip - a.tip;
-    const double length = way.norm();
-    if (!(length > 0.0))
-      throw InputError("Spacing", "0 mm",
-                       fmt::format("dimples {} and {} are at one place on the program's decimals.",
-                                   a.number, b.number));
-    const double advance = spindle_advance(a.azimuth, b.azimuth, rule.phase, tool, spindle).turns();
-    steps.push_back({way / length, length, row_turns(advance, period)});
-  }
-  return steps;
-}
-
 class Builder {
  public:
-  Builder(const std::vector<PlannedDimple>& planned, const std::vector<Step>& steps,
+  Builder(const std::vector<PlannedDimple>& planned, const RowSteps& rows, const PathRepair& repair,
           const PacedRule& rule, const Tool& tool, const Spindle& spindle,
           const machine::MotionModel& model, const Decimals& decimals)
       : planned_(planned),
-        steps_(steps),
+        rows_(rows),
+        steps_(rows.steps),
+        repair_(repair),
         rule_(rule),
         spindle_(spindle),
         model_(model),
         decimals_(decimals),
         period_(phase_period(tool.flutes, rule.phase.flutes).turns()),
-        shape_(turnaround_shape(mean_row_step(), rule.lift, shape_speed_, model)) {
-    if (rule.pace == Pace::SpindleLocked)
-      late_ = recoverable(shape_, shape_speed_, model.acceleration);
+        shape_(turnaround_shape(rows.mean, rule.lift, rows.fastest, model)) {
     result_.path = ToolPath{tool, spindle, {}, {}};
     result_.clearance = shape_.clearance;
   }
 
   PacedPath build() {
-    shortest_ = steps_[0].length;
-    for (const Step& step : steps_) shortest_ = std::min(shortest_, step.length);
-    result_.row_tolerance = row_tolerance();
-    RowEnd here = arriving_at(0);
+    RowEnd here = arriving_at(0, steps_[0].direction);
     begin(here);
     for (std::size_t i = 0; i + 1 < planned_.size(); ++i)
-      here = in_row(i, here.direction) ? row_step(i) : turn_around(i, here);
+      here = goes_on(i) ? row_step(i) : turn_around(i, here);
     end(here);
+    result_.row_tolerance = round_rows(result_.path, spindle_.speed, model_);
     if (rule_.pace == Pace::SpindleLocked) keep_pitches();
     return std::move(result_);
   }
 
  private:
-  double fastest_row() const {
-    double speed = 0.0;
-    for (std::size_t i = 0; i < steps_.size(); ++i)
-      if (same_patch(i)) speed = std::max(speed, steps_[i].pitch() * spindle_.speed);
-    return speed > 0.0 ? speed : steps_[0].pitch() * spindle_.speed;
-  }
-  double mean_row_step() const {
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < steps_.size(); ++i)
-      if (same_patch(i)) sum += steps_[i].length, ++count;
-    return count ? sum / count : steps_[0].length;
-  }
   /// Of the rotary axes in step i [s].
   double turning(std::size_t i) const {
     return rule_.turning.empty() ? 0.0
                                  : rule_.turning[static_cast<std::size_t>(planned_[i + 1].number)];
   }
-  bool same_patch(std::size_t i) const { return planned_[i].patch == planned_[i + 1].patch; }
-  /// The largest kink that the coarsest rounding passes at speed.
-  bool smooth(const Vec3& a, const Vec3& b) const {
-    const double v = kRowHeadroom * shape_speed_;
-    return Angle::between(a, b).radians() < 0.5 &&
-           machine::tolerance_for_speed(Angle::between(a, b).radians(), v, model_.acceleration) <=
-               kCoarsestRow;
+  bool goes_on(std::size_t i) const { return steps_[i].joined && !repair_.broken[i + 1]; }
+  bool linked(std::size_t i) const {
+    return !rule_.rows && planned_[i].patch != planned_[i + 1].patch;
   }
-  bool in_row(std::size_t i, const Vec3& direction) const {
-    if (!same_patch(i) || turning(i) > 0.0) return false;
-    if (!rule_.turnarounds) return true;
-    return steps_[i].length < kLongestStep * shortest_ && smooth(direction, steps_[i].direction);
+  double angle(const Vec3& a, const Vec3& b) const {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
   }
-  double row_tolerance() const {
-    double kink = 0.0;
-    for (std::size_t i = 1; i < steps_.size(); ++i)
-      if (same_patch(i - 1) && same_patch(i) &&
-          smooth(steps_[i - 1].direction, steps_[i].direction))
-        kink =
-            std::max(kink, Angle::between(steps_[i - 1].direction, steps_[i].direction).radians());
-    const double t =
-        machine::tolerance_for_speed(kink, kRowHeadroom * shape_speed_, model_.acceleration);
-    return std::ceil(std::max(t, kFinestRounding) / kFinestRounding) * kFinestRounding;
-  }
-  /// How the tool runs over dimple i: along the step that follows in its patch, else along the
-  /// last.
-  RowEnd arriving_at(std::size_t i) const {
-    const bool next = i < steps_.size() && same_patch(i);
-    return row_end(i, steps_[next || i == 0 ? i : i - 1], next || i == 0 ? i : i - 1);
+  /// How the tool runs over dimple i: along the step that follows, else along the one before, else as it
+  /// went, `before`.
+  RowEnd arriving_at(std::size_t i, const Vec3& before) const {
+    for (const std::size_t k : {i, i - 1})
+      if (k < steps_.size() && steps_[k].near) return row_end(i, steps_[k], k);
+    const Vec3& n = planned_[i].normal;
+    const Vec3 level = before - before.dot(n) * n;
+    const bool along = level.norm() > 0.1;
+    return {planned_[i].tip,      n,          along ? Vec3(level.normalized()) : any_normal_to(n),
+            rows_.mean / period_, rows_.mean, 0.0};
   }
   /// Dimple i, run over along `step`, which is step k.
-  RowEnd row_end(std::size_t i, const Step& step, std::size_t k) const {
+  RowEnd row_end(std::size_t i, const RowStep& step, std::size_t k) const {
     const Vec3 bend = planned_[k + 1].normal - planned_[k].normal;
+    const double pitch =
+        step.possible ? step.pitch() : std::min(step.pitch(), rows_.mean / period_);
     return {planned_[i].tip, planned_[i].normal,
-            step.direction,  step.pitch(),
+            step.direction,  pitch,
             step.length,     std::max(0.0, -bend.dot(step.direction) / step.length)};
   }
 
@@ -165,7 +112,6 @@ class Builder {
     move.end.tip = decimals_.round(move.end.tip);
     move.pace = rule_.pace;
     move.dimple = dimple;
-    if (dimple != kNoDimple) move.tolerance = result_.row_tolerance;
     result_.path.moves.push_back(move);
   }
   void push(std::vector<Move> moves, std::int32_t dimple) {
@@ -177,34 +123,49 @@ class Builder {
   }
 
   RowEnd row_step(std::size_t i) {
-    const Step& step = steps_[i];
+    const RowStep& step = steps_[i];
     push({{planned_[i + 1].tip, Vec3::UnitZ()}, step.turns, kNoDimple, MoveKind::Cut},
          planned_[i + 1].number);
     return row_end(i + 1, step, i);
   }
+  /// For the rows that meet here; patches of helices all have the one for the fastest of their steps.
+  TurnaroundShape shape_between(const RowEnd& from, const RowEnd& to, double speed) const {
+    return rule_.rows ? turnaround_shape(std::min(from.step, to.step), rule_.lift, speed, model_)
+                      : shape_;
+  }
   RowEnd turn_around(std::size_t i, const RowEnd& from) {
-    const RowEnd to = arriving_at(i + 1);
-    const double detour = clears(from, to) && same_patch(i)
+    const RowEnd to = arriving_at(i + 1, from.direction);
+    const double speed =
+        rule_.rows ? std::max(from.pitch, to.pitch) * spindle_.speed : rows_.fastest;
+    const TurnaroundShape shape = shape_between(from, to, speed);
+    const double detour = clears(from, to, shape) && !linked(i)
                               ? std::numeric_limits<double>::quiet_NaN()
                               : rule_.safe_height;
+    // a feed catches nothing up
+    const double late =
+        rule_.pace == Pace::SpindleLocked ? recoverable(shape, speed, model_.acceleration) : 0.0;
     double turns = steps_[i].turns;
     // how many teeth it takes: from the slack without any
     const double short_of =
-        -turnaround(from, to, turns, shape_, detour, spindle_, model_, turning(i)).slack;
-    turns += period_ * std::max(0.0, std::ceil((short_of - late_) * spindle_.speed / period_));
+        -turnaround(from, to, turns, shape, detour, spindle_, model_, turning(i)).slack;
+    turns += period_ * std::max(0.0, std::ceil((short_of - late) * spindle_.speed / period_));
+    turns += period_ * repair_.teeth[i + 1];
+    Turnaround made = turnaround(from, to, turns, shape, detour, spindle_, model_, turning(i));
+    while (!(made.ease > kLeastEase))
+      made = turnaround(from, to, turns += period_, shape, detour, spindle_, model_, turning(i));
     const std::size_t first = result_.path.moves.size();
-    push(turnaround(from, to, turns, shape_, detour, spindle_, model_, turning(i)).moves,
-         planned_[i + 1].number);
+    push(std::move(made.moves), planned_[i + 1].number);
+    result_.arrivals.push_back(i + 1);
     spans_.push_back({first, first + 2, result_.path.moves.size()});
+    result_.clearance = std::min(result_.clearance, shape.clearance);
     ++result_.turnarounds;
     return to;
   }
   /// Whether the chord between the lifted ends stays above a surface that bends as the normals say.
-  bool clears(const RowEnd& from, const RowEnd& to) const {
-    const double way =
-        (to.tip - from.tip).norm() + 2.0 * (shape_.flat + shape_.out + shape_.run_in);
-    return way * Angle::between(from.normal, to.normal).radians() / 8.0 < 0.5 * shape_.lift &&
-           way < 20.0 * shape_.lift + 10.0 * shortest_;
+  bool clears(const RowEnd& from, const RowEnd& to, const TurnaroundShape& shape) const {
+    const double way = (to.tip - from.tip).norm() + 2.0 * (shape.flat + shape.out + shape.run_in);
+    return way * angle(from.normal, to.normal) / 8.0 < 0.5 * shape.lift &&
+           way < 20.0 * shape.lift + 10.0 * rows_.shortest;
   }
   /// Roundings take turns away. In a turn-around every move keeps the pitch that it was planned
   /// with, so that the lock has nothing to catch up where the tool is fast, and the way back
@@ -241,36 +202,21 @@ class Builder {
   }
 
   const std::vector<PlannedDimple>& planned_;
-  const std::vector<Step>& steps_;
+  const RowSteps& rows_;
+  const std::vector<RowStep>& steps_;
+  const PathRepair& repair_;
   const PacedRule& rule_;
   const Spindle& spindle_;
   const machine::MotionModel& model_;
   const Decimals& decimals_;
   double period_;
-  double shape_speed_ = fastest_row();
   TurnaroundShape shape_;
-  double late_ = 0.0;  // a feed catches nothing up
-  double shortest_ = 0.0;
   struct Span {
     std::size_t first, free, last;  // moves of a turn-around: [first, last)
   };
   std::vector<Span> spans_;
   PacedPath result_;
 };
-
-// One tooth per dimple must not be faster than the axes.
-void require_reachable(const std::vector<PlannedDimple>& planned, const std::vector<Step>& steps,
-                       const Spindle& spindle, const machine::MotionModel& model) {
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const double limit = machine::velocity_along(model, steps[i].direction);
-    const double speed = steps[i].pitch() * spindle.speed;
-    if (planned[i].patch == planned[i + 1].patch && speed > limit)
-      throw InputError("MaxVelocity", fmt::format("{} mm/s", model.velocity),
-                       fmt::format("one tooth per dimple takes {:.1f} mm/s: turn the spindle at no "
-                                   "more than {:.0f} rpm.",
-                                   speed, 60.0 * spindle.speed * limit / speed));
-  }
-}
 
 }  // namespace
 
@@ -284,10 +230,17 @@ PacedPath paced_path(const patch::Dimples& dimples, const Tool& tool, const Spin
     throw InputError("Dimples", fmt::format("{}", planned.size()),
                      "a paced path needs two dimples at least: see the counts of those left out, "
                      "and change the faces, the limits or the tool axis.");
-  const std::vector<Step> steps = steps_between(planned, rule, tool, spindle);
-  require_reachable(planned, steps, spindle, model);
+  const RowSteps rows = row_steps(dimples, planned, rule, tool, spindle, model);
   require_below(rule.safe_height, planned, rule.lift);
-  return Builder(planned, steps, rule, tool, spindle, model, decimals).build();
+  PathRepair repair(planned.size());
+  for (int round = 0;; ++round) {
+    PacedPath made = Builder(planned, rows, repair, rule, tool, spindle, model, decimals).build();
+    if (rule.pace != Pace::SpindleLocked || !rule.turnarounds || round == kRepairs ||
+        std::isfinite(model.jerk) ||
+        !repair.add(made.path, made.arrivals, model,
+                    phase_period(tool.flutes, rule.phase.flutes).turns()))
+      return made;
+  }
 }
 
 }  // namespace patchmill::sync

@@ -27,12 +27,16 @@ struct PacedRule {
   /// from rest to rest [s]; 0: they stand. A row ends where they turn: a controller that rounds corners
   /// of three axes stops at those of five. Empty: no rotary axes.
   std::vector<double> turning = {};
+  bool rows = false;  ///< patches are rows (row_order.h): no link over the safe height between them
+                      ///< unless the way there needs one
 };
 
 struct PacedPath {
   ToolPath path;
   std::int64_t turnarounds = 0;  ///< corners, gaps and links
-  double row_tolerance = 0.0;    ///< corner rounding in the rows [mm]
+  std::vector<std::size_t>
+      arrivals;                ///< dimples, counted in milling order, that each of them ends on
+  double row_tolerance = 0.0;  ///< corner rounding in the rows [mm]
   double clearance =
       0.0;  ///< least height of the ball over the surface when a tooth comes by between
             ///< rows [mm]; less than the ridges' height means marks nobody asked for

@@ -18,6 +18,7 @@ constexpr double kClearOfDimple = 0.1;  // of a step, straight on both sides of 
 constexpr int kTrimChoices = 50;
 constexpr double kSwallowPeriods = 5.2;  // a stretch passed in fewer is swallowed by a rounding
 constexpr double kDeadPeriods = 1.5;     // that a stop costs beyond its continuous time
+constexpr double kOnePlace = 1e-3;       // mm: stops that are nearer are one
 constexpr double kLinkEase = 1.6;        // legs of a link take this much longer than they could
 
 Move moved(const Vec3& tip, double turns, double tolerance, MoveKind kind = MoveKind::Cut) {
@@ -49,6 +50,24 @@ RunIn run_in(const RowEnd& to, double straight, const TurnaroundShape& shape) {
 
 Vec3 lifted_end(const RowEnd& from, const TurnaroundShape& shape) {
   return surface_after(from, shape.flat + shape.out) + shape.out * shape.slope * from.normal;
+}
+
+// Where the tool stands between two rows, no two of them at one place: ends that are as high as the detour need no
+// leg up or down, and ends that meet are parted by `aside`.
+std::vector<Vec3> stops_between(const Vec3& top, const Vec3& start, double safe_height,
+                                const Vec3& aside) {
+  std::vector<Vec3> stops{top};
+  const auto add = [&stops](const Vec3& stop) {
+    if ((stop - stops.back()).norm() > kOnePlace) stops.push_back(stop);
+  };
+  if (!std::isnan(safe_height)) {
+    add({top.x(), top.y(), std::max(safe_height, top.z())});
+    add({start.x(), start.y(), std::max(safe_height, start.z())});
+  }
+  if (stops.size() > 1 && (start - stops.back()).norm() <= kOnePlace) stops.pop_back();
+  if ((start - stops.back()).norm() <= kOnePlace) stops.push_back(top + aside);
+  stops.push_back(start);
+  return stops;
 }
 
 double leg_time(const Vec3& a, const Vec3& b, const machine::MotionModel& model) {
@@ -108,12 +127,7 @@ Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
   const double slant = std::hypot(1.0, shape.slope), rate = spindle.speed;
   const Vec3 edge = surface_after(from, shape.flat), top = lifted_end(from, shape);
   const RunIn in = run_in(to, shape.run_in, shape);
-  std::vector<Vec3> stops{top};
-  if (!std::isnan(safe_height)) {
-    stops.emplace_back(top.x(), top.y(), std::max(safe_height, top.z()));
-    stops.emplace_back(in.start.x(), in.start.y(), std::max(safe_height, in.start.z()));
-  }
-  stops.push_back(in.start);
+  const std::vector<Vec3> stops = stops_between(top, in.start, safe_height, shape.lift * to.normal);
 
   // turns of the stretches at the rows' own pitches
   const double flat_out = shape.flat / from.pitch, ramp_out = shape.out * slant / from.pitch;
@@ -139,6 +153,7 @@ Turnaround turnaround(const RowEnd& from, const RowEnd& to, double turns,
   const double late = std::min(0.25 * std::max(between, 0.0), rate * last_speed / (2.0 * a));
   gather += late;
   between -= late;
+  result.ease = between / needed_sum;
 
   result.moves.push_back(moved(edge, flat_out, shape.tolerance));
   result.moves.push_back(moved(top, ramp_out, 0.0));

@@ -52,6 +52,7 @@ struct RowEnd {
 struct Turnaround {
   std::vector<Move> moves;  ///< the last one ends on the arriving dimple; number not set
   double slack = 0.0;       ///< time left over; negative: the tool arrives late [s]
+  double ease = 0.0;        ///< time of the legs between stops over what they need
 };
 
 /// The moves from `from` to `to` in `turns` turns; `safe_height`: Z of a detour if they are in

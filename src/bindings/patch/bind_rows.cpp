@@ -1,0 +1,46 @@
+// Rows as another milling order, for Python.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/bindings.h"
+#include "patchmill/patch/division.h"
+#include "patchmill/patch/row_order.h"
+
+namespace patchmill {
+
+void bind_rows(py::module_& m) {
+  m.def(
+      "in_rows",
+      [](const patch::Dimples& dimples, const patch::PatchPattern& pattern, std::size_t direction,
+         bool one_way, bool whole_face) {
+        const patch::RowExtent extent =
+            whole_face ? patch::RowExtent::WholeFace : patch::RowExtent::EachPatch;
+        return patch::in_rows(dimples, patch::lattice_of(pattern.shape),
+                              {extent, direction, one_way});
+      },
+      py::arg("dimples"), py::arg("pattern"), py::arg("direction"), py::arg("one_way"),
+      py::arg("whole_face"), py::call_guard<py::gil_scoped_release>(),
+      "The dimples in rows along one of the lattice's steps, those left out last. On the whole "
+      "face the patches "
+      "become rows.");
+  m.def(
+      "row_directions",
+      [](const patch::PatchPattern& pattern) {
+        return patch::neighbour_steps(patch::lattice_of(pattern.shape)).size();
+      },
+      py::arg("pattern"), "How many directions rows can have on the pattern's lattice.");
+  m.def(
+      "nearest_row_direction",
+      [](const patch::PatchPattern& pattern, const Vec2& direction) {
+        return patch::nearest_step(patch::lattice_of(pattern.shape), direction);
+      },
+      py::arg("pattern"), py::arg("direction"),
+      "Which of the lattice's steps goes nearest to a direction of the texture plane.");
+  m.def(
+      "flattest_row_direction",
+      [](const patch::Dimples& dimples, const patch::PatchPattern& pattern) {
+        return patch::flattest_step(dimples, patch::lattice_of(pattern.shape));
+      },
+      py::arg("dimples"), py::arg("pattern"), py::call_guard<py::gil_scoped_release>(),
+      "Which of the lattice's steps bends least over the dimples that are to be cut.");
+}
+
+}  // namespace patchmill
