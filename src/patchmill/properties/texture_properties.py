@@ -7,6 +7,7 @@ import _patchmill as core
 import FreeCAD
 
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
+from patchmill.properties.row_properties import ROW_PROPERTIES
 from patchmill.textures import strategies
 
 PROPERTIES = [
@@ -90,6 +91,7 @@ PROPERTIES = [
         "Begin all patches at the same corner, or at the corner nearest to the patch before",
         ["Same corner", "Nearest corner"],
     ),
+    *ROW_PROPERTIES,
     (
         "App::PropertyVector",
         "Direction",

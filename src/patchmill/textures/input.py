@@ -37,6 +37,10 @@ class TextureInput:
     patches_y: int = 0
     helix_order: str = "Inward"
     helix_start: str = "Same corner"
+    order: str = "Helix"  # or "Rows"; then the next three count (see patchmill.textures.rows)
+    row_extent: str = "Whole face"
+    row_direction: str = "Least time"
+    rows_one_way: bool = False
     direction: tuple = (0.0, 0.0, -1.0)
     auto_direction: bool = False  # from where the faces look largest; `direction` is not used
     rotation: float = 0.0

@@ -14,7 +14,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.machine import machines
-from patchmill.textures import free_form, heights, laid, masks, strategies, tool_posture
+from patchmill.textures import free_form, heights, laid, masks, rows, strategies, tool_posture
 from patchmill.textures.division import divide, require_apart, sampler_on, texture_size
 from patchmill.textures.input import TextureInput
 
@@ -142,7 +142,17 @@ def place_texture(given, progress=None):
         core.keep_apart(placed.dimples, NEAREST * placed.input.spacing)
     core.drop_slivers(placed.dimples, given.minimum_dimples)
     placed.remarks.extend(laid.remarks(placed))
+    _put_in_order(placed)
     return placed
+
+
+def _put_in_order(placed: PlacedTexture, direction: Optional[int] = None) -> None:
+    """Puts the dimples in the order in which they are to be milled; see rows.ordered."""
+    if not rows.in_rows(placed.input):
+        return
+    placed.dimples = rows.ordered(placed.input, placed.dimples, placed.division, direction)
+    if not tool_posture.is_vertical(placed.input):
+        _keep_off_tip(placed)  # rows have axes of their own
 
 
 def _place_lattice(given: TextureInput, progress: Progress) -> Optional[dict]:
@@ -249,10 +259,20 @@ def plan_texture(given, progress=None):
     placed = place_texture(given, progress)
     if placed is None:
         return None
+    machine = machines.load(placed.input.machine) if placed.input.machine else None
+    tried = [
+        _paced(replace(placed, remarks=list(placed.remarks)), direction, machine)
+        for direction in rows.candidates(placed.input, placed.division)
+    ]
+    return min(tried, key=lambda plan: plan.path.statistics()["timed_seconds"])
+
+
+def _paced(placed, direction, machine):
+    """PlannedTexture of a PlacedTexture. `direction`: see rows.ordered. Raises InputError."""
+    _put_in_order(placed, direction)
     given, dimples = placed.input, placed.dimples
     counts = dict(dimples.counts())
     _require_some(counts)
-    machine = machines.load(given.machine) if given.machine else None
     if placed.free is not None:
         rule = core.PhaseRule(False, 0.0, 0.0)
         pacing = heights.plan_above(
@@ -273,10 +293,4 @@ def plan_texture(given, progress=None):
             placed.remarks,
             lambda g: strategies.make(g, dimples, rule, machine, posture=posture),
         )
-    return PlannedTexture(
-        **vars(placed),
-        rule=rule,
-        pacing=pacing,
-        machine=machine,
-        counts=counts,
-    )
+    return PlannedTexture(**vars(placed), rule=rule, pacing=pacing, machine=machine, counts=counts)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill.textures import tool_posture
+from patchmill.textures import rows, tool_posture
 
 CONSTANT, FITTED, FEED, LOCKED = NAMES = (
     "Constant feed",
@@ -88,7 +88,10 @@ def _path(given, dimples, rule, machine, spindle, turning):
             feed = core.posted_feed(given.feed, given.decimals)
             path = core.fit_to_stops(path, machine.model, feed, rule, given.decimals)
         return path, None
-    paced = core.PacedRule(given.strategy == LOCKED, rule, given.lift, **heights, turning=turning)
+    across = rows.across_patches(given)
+    paced = core.PacedRule(
+        given.strategy == LOCKED, rule, given.lift, **heights, turning=turning, rows=across
+    )
     return core.paced_path(dimples, given.tool, spindle, paced, machine.model, given.decimals)
 
 

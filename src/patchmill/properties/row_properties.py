@@ -1,0 +1,39 @@
+"""The properties of the texture operations that say in which order dimples are milled (see property_table for
+what the rows of the table are).
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+from patchmill.textures import rows
+
+ROW_PROPERTIES = [
+    (
+        "App::PropertyEnumeration",
+        "Order",
+        "Texture",
+        "Mill patch by patch along helices, or in rows of the lattice",
+        list(rows.ORDERS),
+    ),
+    (
+        "App::PropertyEnumeration",
+        "RowExtent",
+        "Texture",
+        "Rows run over the whole face, across the borders of patches, or inside each patch",
+        list(rows.EXTENTS),
+    ),
+    (
+        "App::PropertyEnumeration",
+        "RowDirection",
+        "Texture",
+        "Direction of the lattice that rows go along: the one of the least time (each is planned), the one "
+        "nearest to the texture's X or Y, or the one along which the faces bend least",
+        list(rows.DIRECTIONS),
+    ),
+    (
+        "App::PropertyBool",
+        "RowsOneWay",
+        "Texture",
+        "Mill all rows in the same sense; otherwise to and fro",
+        False,
+    ),
+]
