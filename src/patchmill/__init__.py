@@ -41,6 +41,7 @@ _LAZY = {
     "faces": ("patchmill.macros.faces", "faces"),
     "planned": ("patchmill.operations.texture_operation", "planned"),
     "recompute": ("patchmill.operations.texture_operation", "recompute"),
+    "best_speed": ("patchmill.verify.best_speed", "best_speed"),
     "post": ("patchmill.posting", "post"),
     "simulate": ("patchmill.verify.simulation", "simulate"),
     "check": ("patchmill.verify.checks", "check"),

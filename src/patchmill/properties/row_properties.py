@@ -4,7 +4,7 @@ what the rows of the table are).
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from patchmill.textures import rows
+from patchmill.textures.order import rows
 
 ROW_PROPERTIES = [
     (

@@ -14,9 +14,10 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.machine import machines
-from patchmill.textures import free_form, heights, laid, masks, rows, strategies, tool_posture
+from patchmill.textures import free_form, heights, laid, masks, strategies, tool_posture
 from patchmill.textures.division import divide, require_apart, sampler_on, texture_size
 from patchmill.textures.input import TextureInput
+from patchmill.textures.order import rows
 
 __all__ = ["PlacedTexture", "PlannedTexture", "TextureInput", "place_texture", "plan_texture"]
 

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill.textures import rows, tool_posture
+from patchmill.textures import tool_posture
+from patchmill.textures.order import rows
 
 CONSTANT, FITTED, FEED, LOCKED = NAMES = (
     "Constant feed",
@@ -76,6 +77,11 @@ def make(given, dimples, rule, machine, path_of=None, posture=None):
         text = tool_posture.finish(posture, path, given, machine)
         return Pacing(posture.work.path, text, feed, verdict, clearance, posture)
     return Pacing(path, _text(given, path, feed, machine), feed, verdict, clearance)
+
+
+def path_at(given, dimples, rule, machine, spindle, posture=None):
+    """The ToolPath of the dimples with another spindle, for the ball centre. Raises InputError as make()."""
+    return _path(given, dimples, rule, machine, spindle, posture.turning if posture else [])[0]
 
 
 def _path(given, dimples, rule, machine, spindle, turning):
