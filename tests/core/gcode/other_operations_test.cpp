@@ -196,6 +196,11 @@ TEST(OtherOperations, RelativeMovesAndMachineCoordinates) {
                       "X7.000 Y7.000\n"),
             std::string::npos)
       << text;
+  for (const char* first : {"G2 X0 Y0 I-2.5 J0 F1\n", "G81 X5 Y5 Z-3 R2 F1\n", "G0 X7 Y7\n"}) {
+    const std::string next =
+        write_program({kBegin, "G61\nG1 X5 Y0 Z20 F1\n", first}, style_of(linuxcnc(), 3));
+    EXPECT_NE(next.find("\nG64\n" + std::string(first).substr(0, 2)), std::string::npos) << next;
+  }
   style.own = {true, true, false, true};  // what others set stays
   EXPECT_EQ(
       write_program({kBegin, "", "G61\nG1 X5 Y0 Z20 F1\n", "G0 X7 Y7\n"}, style).find("G64\n"),
