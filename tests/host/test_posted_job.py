@@ -6,6 +6,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import importlib
 import os
 import pathlib
+import random
+import re
 import sys
 import tempfile
 import unittest
@@ -169,6 +171,33 @@ class PostedJob(WithDocuments):
             with self.assertRaises(InputError, msg=how) as caught:
                 self.read(job, spoilt)
             print(how, "->", caught.exception)
+
+    def test_a_fault_in_any_word_is_found(self):
+        """Of random words changed, only those may pass that cannot matter: an F by less than a thousandth."""
+        job, (texture,) = self.job("Spindle-locked")
+        custom(job, ["G0 Z30", "G0 X40 Y0", "G1 Z20 F10", "G2 X44 Y0 I2 J0 K0 F10", "G1 X46", "G0 Z30"])
+        text, _ = self.post(job)
+        lines = text.split("\n")
+        words = [
+            (number, word)
+            for number, line in enumerate(lines)
+            for word in re.finditer(r"[A-Z][+-]?\d+\.?\d*", re.sub(r"\(.*?\)|;.*", "", line))
+        ]
+        choose = random.Random(5)
+        for _ in range(60):
+            number, word = choose.choice(words)
+            decimals = len(word.group().partition(".")[2])
+            change = choose.choice([1, -1, 10, 100] if decimals == 0 else [1, -1, 0.1, -0.01])
+            new = "%s%.*f" % (word.group()[0], decimals, float(word.group()[1:]) + change)
+            line = lines[number]
+            spoilt = line[: word.start()] + new + line[word.end() :]
+            try:
+                posted = self.read(job, lines[:number] + [spoilt] + lines[number + 1 :])
+                checks.require_clear(texture, posted[0].path, posted[0].unplaced, blind=posted[0].blind)
+            except InputError:
+                continue
+            small = abs(change) <= 1e-3 * float(word.group()[1:])
+            self.assertTrue(word.group()[0] == "F" and small, (line, spoilt))
 
     def test_what_no_program_can_be_made_of(self):
         job, (texture,) = self.job("Constant feed")

@@ -19,6 +19,7 @@ from patchmill.verify import posted_milling, posted_texture
 from patchmill.verify.posted_program import COMMENT, PostedProgram, offset_number
 
 OTHER_WORDS = r"M(?!0?[26]$|30$)\d+|G(4|04|10|28|30|43|53|92)(\.\d)?"  # that belong to an operation alone
+ALWAYS = (0, 1, 2, 3, 4, 17, 43.4, 49, 61, 64, 80, 90, 90.1, 91.1, 93, 94, 98, 99)  # of common tongue
 COOLANT = {"Flood": "M8", "Mist": "M7"}
 
 
@@ -67,6 +68,7 @@ class _Reading:
         self._require_offset(op, run)
         self._require_tool(op, run)
         self._require_coolant(op, run)
+        self._require_modes(op, run)
         self.at = run.end
         posted.offset = self.offset
         return posted
@@ -107,6 +109,29 @@ class _Reading:
                 remedy = "the posted text turns the spindle at %g rpm where %s is milled."
                 raise InputError("SpindleSpeed", said, remedy % (60.0 * spindle.speed, op.Label))
 
+    def _require_modes(self, op, run):
+        """No other G or M words stand between an operation's moves than in its path; on LinuxCNC the words
+        for the rounding of corners are those of the path, in order."""
+        lines = range(self.program.line_of(run.first), self.program.line_of(run.end - 1) + 1)
+        commands = op.Path.Commands
+        own = {(c.Name[0], float(c.Name[1:])) for c in commands if re.fullmatch(r"[GM][\d.]+", c.Name)}
+        own |= {(letter, value) for c in commands for letter, value in c.Parameters.items() if letter in "GM"}
+        own |= {("G", float(number)) for number in ALWAYS}
+        rounding = []
+        for number, words in self.words:
+            if number not in lines:
+                continue
+            other = [word for word in words if word[0] in "GM" and (word[0], round(word[1], 1)) not in own]
+            if other:
+                said = "%s%g in line %d" % (*other[0], number)
+                remedy = "the operation has no such word: use another post-processor."
+                raise InputError(op.Label, said, remedy)
+            if ("G", 64.0) in words or ("G", 61.0) in words:
+                rounding.append({k: v for k, v in words if k in "GPQ"})
+        wanted = [{"G": float(c.Name[1:])} | c.Parameters for c in commands if c.Name in ("G61", "G64")]
+        if self.dialect == "linuxcnc" and kind_of(op) and rounding:
+            _require_in_order(op, _changes(rounding), _changes(wanted))
+
     def _require_coolant(self, op, run):
         mode = host.coolant_of(op)
         if mode not in COOLANT:
@@ -142,6 +167,22 @@ def read_back(text, objects, dialect, half_unit):
     reading.words_until(math.inf)
     textures = [one for one in posted if isinstance(one, posted_texture.PostedTexture)]
     return textures + [one for one in posted if not isinstance(one, posted_texture.PostedTexture)]
+
+
+def _changes(modes):
+    """Modes without those that are in force already."""
+    return [mode for number, mode in enumerate(modes) if number == 0 or mode != modes[number - 1]]
+
+
+def _require_in_order(op, found, wanted):
+    """The modes found are the last ones wanted: those before the first move are not looked at."""
+    for mode, right in zip(reversed(found), reversed(wanted)):
+        if mode.keys() != right.keys() or any(abs(mode[k] - right[k]) > 1e-6 for k in mode):
+            said = " ".join("%s%g" % word for word in mode.items())
+            remedy = "the operation has %s there: use another post-processor."
+            raise InputError(op.Label, said, remedy % " ".join("%s%g" % word for word in right.items()))
+    if len(found) > len(wanted):
+        raise InputError(op.Label, "other words G61 and G64", "use another post-processor.")
 
 
 def _controller_of(op):
