@@ -5,7 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 from _patchmill import InputError
 from patchmill.textures import advisor
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.widgets import translate
 
@@ -38,7 +38,9 @@ class AdvisorBox(QtGui.QGroupBox):
         try:
             proposals = advisor.advise_operation(self.obj, self.array.currentText())
         except InputError as error:
-            self._add(QtGui.QLabel(str(error)))
+            label = QtGui.QLabel(str(error))
+            label.setTextFormat(QtCore.Qt.PlainText)
+            self._add(label)
             return
         for proposal in proposals:
             button = QtGui.QPushButton(proposal.changes)

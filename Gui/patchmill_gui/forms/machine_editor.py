@@ -52,6 +52,7 @@ class MachineEditor(QtGui.QDialog):
         self.tree.setAlternatingRowColors(True)
         self.where, self.message = QtGui.QLabel(), QtGui.QLabel()
         self.message.setStyleSheet("color: #c0392b")
+        self.message.setTextFormat(QtCore.Qt.PlainText)
         for label in (self.where, self.message):
             label.setWordWrap(True)
         self.buttons = {}

@@ -95,6 +95,7 @@ class PropertyForm(QtCore.QObject):
         row.label = label
         row.error = QtGui.QLabel()
         row.error.setWordWrap(True)
+        row.error.setTextFormat(QtCore.Qt.PlainText)
         row.error.setStyleSheet("color: " + ERROR_COLOUR)
         row.error.hide()
         layout = self.groups[group].rows

@@ -4,6 +4,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import FreeCADGui
+import html
+
 from patchmill.verify import checks
 from pivy import coin
 
@@ -31,7 +33,7 @@ class CheckPanel(WorkPanel):
         self.result = result
         self.bar.show_share(1.0, 0.0)
         colour = {checks.CLEAR: "#2e7d32", checks.UNKNOWN: "#b26a00"}.get(result.outcome, ERROR_COLOUR)
-        self.text.setText('<b style="color:%s">%s</b>' % (colour, result.sentence))
+        self.text.setText('<b style="color:%s">%s</b>' % (colour, html.escape(result.sentence)))
         for finding in sorted(result.findings, key=lambda f: -f.depth)[:MARKS]:
             self.marks.addChild(_mark(finding.place, 0.5 if finding is not result.worst else 1.0))
 

@@ -4,6 +4,7 @@ simulates, draws and writes in the background.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import html
 import os
 
 import patchmill
@@ -55,6 +56,6 @@ class ReportPanel(WorkPanel):
         self.bar.hide()
         (page,) = [name for name in files if name.endswith(".html")]
         url = QtCore.QUrl.fromLocalFile(page).toString()
-        link = '<a href="%s">%s</a>' % (url, translate("Open the report"))
-        rest = "<br>".join(os.path.basename(name) for name in files)
+        link = '<a href="%s">%s</a>' % (html.escape(url), translate("Open the report"))
+        rest = "<br>".join(html.escape(os.path.basename(name)) for name in files)
         self.text.setText("%s<br>%s" % (link, rest))

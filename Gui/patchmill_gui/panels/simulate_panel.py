@@ -3,6 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import html
 import patchmill
 from _patchmill import InputError
 from patchmill.operations.texture_operation import planned
@@ -116,7 +117,8 @@ class SimulatePanel(WorkPanel):
         self.operation.ViewObject.Show = RELIEF
         self.legend.show(translate("height over the faces [µm]"), low, high)
         cells = "".join(
-            "<tr><td>%s </td><td><b>%s</b></td></tr>" % row for row in self.result.rows()
+            "<tr><td>%s </td><td><b>%s</b></td></tr>" % tuple(map(html.escape, row))
+            for row in self.result.rows()
         )
         self.text.setText("<table>%s</table>" % cells)
 

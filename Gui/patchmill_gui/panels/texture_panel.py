@@ -85,6 +85,7 @@ class TexturePage(OperationPage):
         self.summary.setTextFormat(QtCore.Qt.RichText)
         layout.addWidget(self.summary)
         self.message = QtGui.QLabel()
+        self.message.setTextFormat(QtCore.Qt.PlainText)  # names of a document's objects are no markup
         self.message.setWordWrap(True)
         self.message.setStyleSheet("color: " + ERROR_COLOUR)
         layout.addWidget(self.message)

@@ -24,6 +24,7 @@ class ComputingBox(QtGui.QGroupBox):
         self.button.setObjectName("Preview")
         self.bar, self.text, self.message = ProgressBar(), wrapping_label(), wrapping_label()
         self.message.setStyleSheet("color: " + ERROR_COLOUR)
+        self.message.setTextFormat(QtCore.Qt.PlainText)
         for widget in (self.button, self.bar, self.text, self.message):
             layout.addWidget(widget)
 

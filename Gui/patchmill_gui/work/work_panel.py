@@ -5,6 +5,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import FreeCADGui
+import html
+
 from PySide import QtGui
 
 from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, button_number, wrapping_label
@@ -60,7 +62,7 @@ class WorkPanel(ClosePanel):
     def show_error(self, error):
         self.error = error
         self.bar.hide()
-        self.text.setText('<span style="color:%s">%s</span>' % (ERROR_COLOUR, error))
+        self.text.setText('<span style="color:%s">%s</span>' % (ERROR_COLOUR, html.escape(str(error))))
 
     def leave(self):
         self.work.cancel()
