@@ -83,12 +83,13 @@ def find(operation, told, program, half_unit, after=0):
     if not run.complete:
         said = "%d of %d moves read back" % (run.found, len(told))
         raise InputError(operation.Label, said, other_angles(program, told, half_unit, after))
-    _require_feeds(operation, told, program, run)
+    _require_feeds(operation, told, program, run, half_unit)
     return PostedMilling(operation, len(told)), run
 
 
-def _require_feeds(operation, told, program, run):
-    """Every move takes the time that its F says."""
+def _require_feeds(operation, told, program, run, half_unit):
+    """Every move takes the time that its F says. Where a control has no inverse time, F is of the way before
+    its ends were rounded."""
     minutes = program.minutes(run.first, run.end)
     before = program.ends[max(run.first - 1, 0) : run.end]
     way = np.linalg.norm(np.diff(before[:, :3], axis=0), axis=1)
@@ -97,7 +98,9 @@ def _require_feeds(operation, told, program, run):
     inverse, wanted = told.inverse[run.owners], told.feeds[run.owners]
     with np.errstate(divide="ignore", invalid="ignore"):
         read = np.where(inverse, 1.0 / minutes, np.where(way > 0.0, way / minutes, np.nan))
-    off = np.abs(read - wanted) > np.maximum(SAME_FEED * wanted, np.where(inverse, 2e-3, 0.51))
+        rounded = np.where(inverse & (way > 0.0), 4.0 * half_unit / way * wanted, 0.0)
+    near = np.maximum(SAME_FEED * wanted, np.where(inverse, 2e-3, 0.51)) + rounded
+    off = np.abs(read - wanted) > near
     if off.any():
         move = int(np.flatnonzero(off)[0])
         unit = "1/min" if inverse[move] else "mm/min"
