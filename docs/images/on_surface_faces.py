@@ -49,20 +49,21 @@ def draw(axes, title, face, shape, spacing, view):
     axes.view_init(*view)
     axes.set_box_aspect(np.ptp(points, axis=0))
     axes.set_axis_off()
+    axes.dist = 7.5
     axes.set_title(
-        "%s: %d dimples,\n%.0f %% of the area's worth, nearest %.3f f"
+        "%s\n%d dimples, %.0f %% of the area\nnearest %.3f f"
         % (title, len(points), 100 * found["laid"], nearest.min()),
-        fontsize=9,
+        fontsize=8,
     )
     return drawn
 
 
 def main():
-    figure = plt.figure(figsize=(11, 3.6))
+    figure = plt.figure(figsize=(11, 3.8))
     for k, face in enumerate(FACES):
         drawn = draw(figure.add_subplot(1, 4, k + 1, projection="3d"), *face)
-    figure.subplots_adjust(0.0, 0.0, 0.93, 0.88, 0.0)
-    bar = figure.colorbar(drawn, cax=figure.add_axes([0.945, 0.15, 0.01, 0.6]))
+    figure.subplots_adjust(0.0, 0.0, 0.92, 0.86, 0.0)
+    bar = figure.colorbar(drawn, cax=figure.add_axes([0.93, 0.15, 0.01, 0.6]))
     bar.set_label("distance to the nearest / f", fontsize=8)
     figure.savefig(HERE / "on-surface-faces.png", dpi=130)
 

@@ -38,14 +38,12 @@ class Spared(WithDocuments):
         self.document = document
         patchmill.recompute(operation)
         self.assertEqual(operation.Remarks, "")
-        job.SetupSheet.SafeHeightOffset = -8.0
-        job.SetupSheet.ClearanceHeightOffset = -7.0
-        document.recompute()
+        for name, lower in (("SafeHeight", 30), ("ClearanceHeight", 29)):
+            operation.setExpression(name, "OpStockZMax + SetupSheet.%sOffset - %d mm" % (name, lower))
         plan = patchmill.recompute(operation)
         self.assertIn("The safe height was raised to Z", operation.Remarks)
         top = plan.dimples.positions[plan.dimples.states == 0][:, 2].max()
-        rapids = plan.path.tips[plan.path.kinds == 0] if hasattr(plan.path, "kinds") else plan.path.tips
-        self.assertGreater(rapids[:, 2].max(), top)
+        self.assertGreater(plan.path.tips[:, 2].max(), top)
 
     def test_a_height_of_the_users_own_is_kept_and_refused(self):
         document, job, operation = small_job()

@@ -21,8 +21,13 @@ from _patchmill import scene as scene
 from _patchmill import sync as sync
 from _patchmill import voxel as voxel
 from _patchmill.brep import FaceSampler as FaceSampler
+from _patchmill.brep import LaidOnFaces as LaidOnFaces
 from _patchmill.brep import facing as facing
+from _patchmill.brep import keep_apart as keep_apart
 from _patchmill.brep import keep_off_borders as keep_off_borders
+from _patchmill.brep import lay_on_faces as lay_on_faces
+from _patchmill.brep import nearest_distances as nearest_distances
+from _patchmill.brep import seen_best as seen_best
 from _patchmill.collision import PartModel as PartModel
 from _patchmill.collision import Tessellation as Tessellation
 from _patchmill.collision import check_clearance as check_clearance
@@ -108,8 +113,11 @@ from _patchmill.patch import drop_slivers as drop_slivers
 from _patchmill.patch import image_mask as image_mask
 from _patchmill.patch import keep_where as keep_where
 from _patchmill.patch import lay_lattice as lay_lattice
+from _patchmill.patch import least_patch_side as least_patch_side
 from _patchmill.patch import nearest_start as nearest_start
 from _patchmill.patch import patch_block as patch_block
+from _patchmill.patch import patch_shapes as patch_shapes
+from _patchmill.patch import row_pitch as row_pitch
 from _patchmill.patch import set_depth as set_depth
 from _patchmill.patch import sink as sink
 from _patchmill.patch import spacing_spread as spacing_spread
@@ -117,8 +125,10 @@ from _patchmill.patch import state_names as state_names
 from _patchmill.patch import texture_plane as texture_plane
 from _patchmill.patch import texture_size as texture_size
 from _patchmill.patch import thin_out as thin_out
+from _patchmill.patch import two_sided as two_sided
 from _patchmill.path import BallEndMill as BallEndMill
 from _patchmill.path import Spindle as Spindle
+from _patchmill.path import Tool as Tool
 from _patchmill.path import ToolPath as ToolPath
 from _patchmill.path import make_path as make_path
 from _patchmill.scene import Display as Display

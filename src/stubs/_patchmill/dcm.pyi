@@ -14,7 +14,7 @@ import _patchmill.voxel
 
 class CopyOptions:
     """What copy_mill needs beside the part. mm, s."""
-    def __init__(self, mode: str, tool: _patchmill.path.BallEndMill, spindle: _patchmill.path.Spindle, feed: float, radial_depth: float, axial_depth: float, tolerance: float, allowance: float, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, clearance: float, overlap: float = 0.0) -> None:
+    def __init__(self, mode: str, tool: _patchmill.path.Tool, spindle: _patchmill.path.Spindle, feed: float, radial_depth: float, axial_depth: float, tolerance: float, allowance: float, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, clearance: float, overlap: float = 0.0) -> None:
         ...
 
 class FeedField:
@@ -137,7 +137,7 @@ def estimate_voxels(stock: Solid, part: Solid, pitch: float, posture_fields: int
 def holder_clearance(part: Solid, holder: list[list[list[float]]], path: _patchmill.path.ToolPath, clearance: float, step: float = 0.5) -> dict[str, typing.Any]:
     """Smallest distance of the holder from the part along the timed moves [mm], where, and how many moves come nearer than `clearance`."""
     ...
-def hurry_in_air(path: _patchmill.path.ToolPath, grid: VoxelGrid, feed: float, flat: bool = False) -> tuple[typing.Any, ...]:
+def hurry_in_air(path: _patchmill.path.ToolPath, grid: VoxelGrid, feed: float) -> tuple[typing.Any, ...]:
     """(path with moves through emptied voxels at `feed` [mm/s], number of the given move of each)"""
     ...
 def joined(paths: list[_patchmill.path.ToolPath]) -> _patchmill.path.ToolPath:

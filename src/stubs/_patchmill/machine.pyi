@@ -117,6 +117,9 @@ class ProgramSection:
     def offset(self) -> str:
         """Work offset in force: 'G55', 'G54.1 P3'; '' while the program has named none."""
         ...
+    def part(self, first: int, end: int, tool: _patchmill.path.Tool) -> ProgramSection:
+        """The moves from `first` to before `end` alone, of `tool`. Raises InputError naming first."""
+        ...
     @property
     def path(self) -> _patchmill.path.ToolPath:
         ...
@@ -171,13 +174,13 @@ def freecad_paced_text(path: _patchmill.path.ToolPath, model: MotionModel, decim
 def freecad_text(path: _patchmill.path.ToolPath, feed: typing.Optional[float], decimals: int, exact_stop: bool = False) -> PathText:
     """A constant-feed path as text for Path.Path(text); `feed` [mm/s], or None for a path whose moves have their own. `exact_stop`: G61 first."""
     ...
-def judge_plan(plan: typing.Callable[[_patchmill.path.Spindle], _patchmill.path.ToolPath], dimples: _patchmill.patch.Dimples, tool: _patchmill.path.BallEndMill, spindle: _patchmill.path.Spindle, rule: _patchmill.sync.PhaseRule, model: MotionModel) -> Verdict:
+def judge_plan(plan: typing.Callable[[_patchmill.path.Spindle], _patchmill.path.ToolPath], dimples: _patchmill.patch.Dimples, tool: _patchmill.path.Tool, spindle: _patchmill.path.Spindle, rule: _patchmill.sync.PhaseRule, model: MotionModel) -> Verdict:
     """`plan`: a function from Spindle to ToolPath, tried at several speeds."""
     ...
 def match_plan(read: _patchmill.path.ToolPath, plan: _patchmill.path.ToolPath, tolerance: float) -> PlanMatch:
     """Gives the moves of `read` the kinds and dimple numbers of `plan`, in place."""
     ...
-def paced_path(dimples: _patchmill.patch.Dimples, tool: _patchmill.path.BallEndMill, spindle: _patchmill.path.Spindle, rule: PacedRule, model: MotionModel, decimals: int) -> tuple[_patchmill.path.ToolPath, float]:
+def paced_path(dimples: _patchmill.patch.Dimples, tool: _patchmill.path.Tool, spindle: _patchmill.path.Spindle, rule: PacedRule, model: MotionModel, decimals: int) -> tuple[_patchmill.path.ToolPath, float]:
     """(path, least height of the ball between rows when a tooth comes by [mm])."""
     ...
 def phase_period(flutes: int, rule: _patchmill.sync.PhaseRule) -> float:
@@ -197,7 +200,7 @@ def program_lines(text: str, dialect: str = 'linuxcnc') -> list[tuple[int, list[
 def programmed(posture: PosturePath, machine: Kinematics, form: ProgramForm, decimals: int) -> PosturePath:
     """What X Y Z are told, on the decimals; without TCP moves may be split."""
     ...
-def read_gcode(text: str, tool: _patchmill.path.BallEndMill, dialect: str = 'linuxcnc', rotary: bool = False, tcp_on: str = '', tcp_off: str = '') -> list[ProgramSection]:
+def read_gcode(text: str, tool: _patchmill.path.Tool, dialect: str = 'linuxcnc', rotary: bool = False, tcp_on: str = '', tcp_off: str = '') -> list[ProgramSection]:
     """The sections of a program; with `rotary` its points as programmed, and the angles beside them. Raises InputError for anything not understood."""
     ...
 def safe_comment(dialect: str, text: str) -> str:
@@ -205,15 +208,15 @@ def safe_comment(dialect: str, text: str) -> str:
     ...
 def start_phase(best_dimple: int, step: float, period: float) -> float:
     ...
-def with_decimal_points(call: function, *args) -> typing.Any:
-    """call(*args) with decimal points in this thread, whatever locale the process has."""
+def with_decimal_points(call: function) -> typing.Any:
+    """call() with decimal points in this thread, whatever locale the process has."""
     ...
 def with_feeds(text: str, feeds: list[float]) -> str:
     """A path's text with its F words replaced by `feeds`, where they are the same but for FreeCAD's six decimals."""
     ...
 def with_start_phase(path: _patchmill.path.ToolPath, start_phase: float, period: float, decimals: int) -> _patchmill.path.ToolPath:
     ...
-def with_tool(machine: Kinematics, tool_length: float, form: ProgramForm, tool: _patchmill.path.BallEndMill) -> Kinematics:
+def with_tool(machine: Kinematics, tool_length: float, form: ProgramForm, tool: _patchmill.path.Tool) -> Kinematics:
     """`machine` with the tool length that the form's programmed point has."""
     ...
 def write_program(texts: list[str], dialect: str, *, precision: int = 3, line_numbers: bool = False, comments: bool = True, modal: bool = False, axis_modal: bool = False, tool_length: bool = True, name: str = 'PATCHMILL', header: list[str] = ..., preamble: str = '', postamble: str = '', smoothing_on: str = '', smoothing_off: str = '', tcp_on: str = '', tcp_off: str = '', number: int = 1, retract: list[tuple[str, float]] = ..., stock: typing.Optional[tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike]] = None, own: list[bool] = ...) -> str:

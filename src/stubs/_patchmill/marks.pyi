@@ -76,6 +76,6 @@ def motion_of_samples(time: numpy.typing.ArrayLike, tips: numpy.typing.ArrayLike
 def path_on_machine(path: _patchmill.path.ToolPath, model: _patchmill.machine.MotionModel) -> tuple[typing.Any, ...]:
     """(known, reason why not, the path with the turns that the motion model predicts)."""
     ...
-def simulate_texture(motion: ToolMotion, tool: _patchmill.path.BallEndMill, plane: _patchmill.patch.TexturePlane, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, step: float, stock: float, base: object = None, reach: float = 1.0, helix: float = 0.0, runout: list[float] = ..., least_depth: float = 0.002, halo: float = 1.0, memory_limit: float = 4000000000.0, progress: object = None) -> TextureMarks:
+def simulate_texture(motion: ToolMotion, tool: _patchmill.path.Tool, plane: _patchmill.patch.TexturePlane, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, step: float, stock: float, base: object = None, reach: float = 1.0, helix: float = 0.0, runout: list[float] = ..., least_depth: float = 0.002, halo: float = 1.0, memory_limit: float = 4000000000.0, progress: object = None) -> TextureMarks:
     """The relief over `low` to `high` of the plane [mm] and its dimples; `base`: a FaceSampler, Dimples (the planes of patches), or None (the plane)."""
     ...

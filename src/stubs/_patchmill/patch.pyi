@@ -73,7 +73,15 @@ class PatchDivision:
 
 class PatchPattern:
     """Shape, spacing [mm], size and helix of patches."""
-    def __init__(self, shape: str, spacing: float, size: int, order: str = 'Inward', start: str = 'Same corner') -> None:
+    def __init__(self, shape: str, spacing: float, size: int, order: str = 'Inward', start: str = 'Same corner', across: int = 0) -> None:
+        """`across` [dimples] is the other side of shapes that have two; 0: as `size`."""
+        ...
+    @property
+    def across(self) -> int:
+        ...
+    @property
+    def cell_area(self) -> float:
+        """Area of the plane that one lattice point stands for [mm²]."""
         ...
     @property
     def size(self) -> int:
@@ -138,11 +146,20 @@ def keep_where(dimples: Dimples, division: PatchDivision, lattice: SurfaceLattic
 def lay_lattice(pattern: PatchPattern, sampler: _patchmill.brep.FaceSampler, plane: TexturePlane, start: numpy.typing.ArrayLike, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, progress: object = None) -> typing.Optional[SurfaceLattice]:
     """The pattern's lattice on the surface over the rectangle from `low` to `high` [mm]: a Chebyshev net for squares, else of low distortion. None if `progress` returned False."""
     ...
+def least_patch_side(shape: str) -> int:
+    """The smallest side that a patch may have."""
+    ...
 def nearest_start(wanted: numpy.typing.ArrayLike, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, sampler: _patchmill.brep.FaceSampler) -> numpy.typing.NDArray[numpy.float64]:
     """The place nearest to `wanted` that can be cut [mm]."""
     ...
 def patch_block(pattern: PatchPattern, patches_x: int, patches_y: int) -> PatchDivision:
     """A block of patches centred on the texture plane's origin."""
+    ...
+def patch_shapes() -> list[str]:
+    """The names of all patch shapes, in the order in which they are offered."""
+    ...
+def row_pitch(shape: str) -> float:
+    """Distance of neighbouring rows of dimples over the spacing."""
     ...
 def set_depth(dimples: Dimples, division: PatchDivision, lattice: SurfaceLattice, mask: Mask, depth_at_0: float, depth_at_1: float, least: float = 0.0) -> None:
     """Depth linear in the mask [mm]; dimples shallower than `least` are left out."""
@@ -163,4 +180,7 @@ def texture_size(kind: str, shape: str, ball_radius: float, spacing: typing.Opti
     ...
 def thin_out(dimples: Dimples, division: PatchDivision, lattice: SurfaceLattice, mask: Mask) -> None:
     """Leaves the share of dimples that the mask says."""
+    ...
+def two_sided(shape: str) -> bool:
+    """Whether patches have a side across that may differ from the other."""
     ...

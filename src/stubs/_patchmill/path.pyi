@@ -11,16 +11,32 @@ import numpy
 import numpy.typing
 
 class BallEndMill:
-    """Ball radius [mm], > 0, and number of flutes, 1 to 32."""
+    """A cutter: radius [mm], > 0; flutes, 1 to 32; radius of its corner [mm], 0 (flat) to the radius (a ball, as without one); angle between flank and axis [rad]. Raises InputError naming BallRadius, Flutes, CornerRadius or TaperAngle."""
     def __eq__(self, other: object) -> bool:
         ...
-    def __init__(self, radius: float, flutes: int) -> None:
+    def __init__(self, radius: float, flutes: int, corner_radius: typing.Optional[float] = None, taper: float = 0.0) -> None:
+        ...
+    @property
+    def corner_radius(self) -> float:
+        """[mm]; so far is the tool's centre above its tip."""
         ...
     @property
     def flutes(self) -> int:
         ...
     @property
+    def is_ball(self) -> bool:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
     def radius(self) -> float:
+        ...
+    def scallop_height(self, cross_feed: float) -> float:
+        """Ridge that it leaves on a flat between passes [mm]."""
+        ...
+    @property
+    def taper(self) -> float:
         ...
 
 class Spindle:
@@ -37,6 +53,35 @@ class Spindle:
         ...
     @property
     def speed(self) -> float:
+        ...
+
+class Tool:
+    """A cutter: radius [mm], > 0; flutes, 1 to 32; radius of its corner [mm], 0 (flat) to the radius (a ball, as without one); angle between flank and axis [rad]. Raises InputError naming BallRadius, Flutes, CornerRadius or TaperAngle."""
+    def __eq__(self, other: object) -> bool:
+        ...
+    def __init__(self, radius: float, flutes: int, corner_radius: typing.Optional[float] = None, taper: float = 0.0) -> None:
+        ...
+    @property
+    def corner_radius(self) -> float:
+        """[mm]; so far is the tool's centre above its tip."""
+        ...
+    @property
+    def flutes(self) -> int:
+        ...
+    @property
+    def is_ball(self) -> bool:
+        ...
+    @property
+    def name(self) -> str:
+        ...
+    @property
+    def radius(self) -> float:
+        ...
+    def scallop_height(self, cross_feed: float) -> float:
+        """Ridge that it leaves on a flat between passes [mm]."""
+        ...
+    @property
+    def taper(self) -> float:
         ...
 
 class ToolPath:
@@ -69,13 +114,13 @@ class ToolPath:
         """End of each move [mm], (n, 3)."""
         ...
     @property
-    def tool(self) -> BallEndMill:
+    def tool(self) -> Tool:
         ...
     @property
     def turns(self) -> numpy.typing.NDArray[numpy.float64]:
         """Planned spindle turns of each move; NaN where unknown."""
         ...
 
-def make_path(tool: BallEndMill, spindle: Spindle, start: numpy.typing.ArrayLike, tips: numpy.typing.ArrayLike, axes: typing.Optional[numpy.typing.ArrayLike], kinds: list[int], turns: list[float]) -> ToolPath:
+def make_path(tool: Tool, spindle: Spindle, start: numpy.typing.ArrayLike, tips: numpy.typing.ArrayLike, axes: typing.Optional[numpy.typing.ArrayLike], kinds: list[int], turns: list[float]) -> ToolPath:
     """ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an upright tool, kinds, spindle turns or NaN. Raises InputError naming path, axes, kind or turns."""
     ...

@@ -54,7 +54,7 @@ class FreeTexture:
 
 class MarkWish:
     """What the user wants of Matsuda's free form."""
-    def __init__(self, tool: _patchmill.path.BallEndMill, spindle_speed: float, shape: str, side: float, array: str = 'Square', feed_per_tooth: typing.Optional[float] = None, ridge_height: typing.Optional[float] = None, cross_feed: typing.Optional[float] = None) -> None:
+    def __init__(self, tool: _patchmill.path.Tool, spindle_speed: float, shape: str, side: float, array: str = 'Square', feed_per_tooth: typing.Optional[float] = None, ridge_height: typing.Optional[float] = None, cross_feed: typing.Optional[float] = None) -> None:
         ...
     def state(self) -> str:
         """The array that the wish itself gives, in one sentence."""
@@ -86,10 +86,10 @@ def advise(wish: MarkWish) -> list[typing.Any]:
 def axes_by_row(dimples: _patchmill.patch.Dimples, axes: numpy.typing.ArrayLike, tolerance: float) -> numpy.typing.NDArray[numpy.float64]:
     """Axes that stay the same along each row, as spindle-locked paths need them."""
     ...
-def constant_feed_path(dimples: _patchmill.patch.Dimples, tool: _patchmill.path.BallEndMill, spindle: _patchmill.path.Spindle, feed: float, rule: PhaseRule, safe_height: float, clearance_height: float, decimals: int) -> _patchmill.path.ToolPath:
+def constant_feed_path(dimples: _patchmill.patch.Dimples, tool: _patchmill.path.Tool, spindle: _patchmill.path.Spindle, feed: float, rule: PhaseRule, safe_height: float, clearance_height: float, decimals: int) -> _patchmill.path.ToolPath:
     """The constant-feed path of Xu & Sasahara 2016; `feed` [mm/s], heights [mm]."""
     ...
-def free_form_path(texture: FreeTexture, dimples: _patchmill.patch.Dimples, tool: _patchmill.path.BallEndMill, spindle: _patchmill.path.Spindle, feed: float, safe_height: float, clearance_height: float, decimals: int) -> _patchmill.path.ToolPath:
+def free_form_path(texture: FreeTexture, dimples: _patchmill.patch.Dimples, tool: _patchmill.path.Tool, spindle: _patchmill.path.Spindle, feed: float, safe_height: float, clearance_height: float, decimals: int) -> _patchmill.path.ToolPath:
     """Straight on along the helix; `feed` [mm/s]."""
     ...
 def free_form_phases(path: _patchmill.path.ToolPath, texture: FreeTexture, dimples: _patchmill.patch.Dimples, patch: int) -> dict[str, typing.Any]:
@@ -125,7 +125,7 @@ def tilts(dimples: _patchmill.patch.Dimples, axis: numpy.typing.ArrayLike) -> nu
 def tool_axes(dimples: _patchmill.patch.Dimples, mode: str, axis: numpy.typing.ArrayLike = ..., lead: float = 0.0, tilt: float = 0.0, least_lead: float = 0.0, towards: numpy.typing.ArrayLike = ..., field: object = None, smoothing: float = 0.0, widest: float = 3.141592653589793) -> numpy.typing.NDArray[numpy.float64]:
     """One unit tool axis for each dimple, (n, 3); `field`: (n, 3) for mode 'Field'."""
     ...
-def turning_seconds(machine: _patchmill.machine.Kinematics, dimples: _patchmill.patch.Dimples, postures: Postures, tool: _patchmill.path.BallEndMill, model: _patchmill.machine.MotionModel, form: _patchmill.machine.ProgramForm) -> list[float]:
+def turning_seconds(machine: _patchmill.machine.Kinematics, dimples: _patchmill.patch.Dimples, postures: Postures, tool: _patchmill.path.Tool, model: _patchmill.machine.MotionModel, form: _patchmill.machine.ProgramForm) -> list[float]:
     ...
 def with_azimuths(rule: PhaseRule, postures: Postures) -> PhaseRule:
     """A phase rule that counts the azimuths which the rotary axes make."""
