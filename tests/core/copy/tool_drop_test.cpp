@@ -122,9 +122,10 @@ TEST_P(BullNose, CutsNoDeeperThanTheTolerance) {
     from = to;
   }
   EXPECT_LE(deepest, 0.0);
-  if (mode == CopyMode::Contour)
-    EXPECT_NEAR(lowest, 0.0,
-                1e-9);  // the tip, not a ball's centre, comes down to the stock's bottom
+  // the tip, not a ball's centre, comes down to the stock's bottom
+  if (mode == CopyMode::Contour) {
+    EXPECT_NEAR(lowest, 0.0, 1e-9);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, BullNose,

@@ -72,9 +72,10 @@ TEST(Acceleration, IsKeptWhereTheFieldAsksForMore) {
   for (std::size_t i = 0; i < kept.moves.size(); ++i) {
     const double length = (kept.moves[i].end.tip - from).norm();
     const double speed = length * kept.spindle.speed / kept.moves[i].turns;
-    if (before >= 0.0)
+    if (before >= 0.0) {
       EXPECT_LE(std::abs(speed * speed - before * before),
                 2.0 * limit * std::max(length, length_before) * (1.0 + 1e-9));
+    }
     EXPECT_GE(kept.moves[i].turns, free.moves[i].turns * (1.0 - 1e-12));
     before = speed;
     length_before = length;
