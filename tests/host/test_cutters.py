@@ -4,18 +4,22 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
+import pathlib
 import sys
 import types
 import unittest
 
-import _patchmill as core
-import FreeCAD
-import parts as make_parts
-from _patchmill import InputError
-from milling_jobs import make_job
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+sys.path.insert(0, str(HERE.parents[1] / "Resources" / "recipes" / "kobayashi2014"))
 
-from patchmill import CopyMilling
-from patchmill.freecad import host, tool_controller
+import _patchmill as core  # noqa: E402
+import FreeCAD  # noqa: E402
+import make_parts  # noqa: E402
+from _patchmill import InputError  # noqa: E402
+from milling_jobs import make_job  # noqa: E402
+from patchmill import CopyMilling  # noqa: E402
+from patchmill.freecad import host, tool_controller  # noqa: E402
 
 
 def controller_with(kind, **said):

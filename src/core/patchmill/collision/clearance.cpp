@@ -107,18 +107,24 @@ class Checker {
         std::hypot(piece.to, std::max(piece.radius_from, piece.radius_to)) + around;
     const bool cuts = piece.part == ToolPart::Flute || piece.part == ToolPart::End;
     const double allowed = cuts ? options_.tolerance : -options_.clearance;
-    const auto outside = [&](Nearest core) { return Nearest{core.distance - around, core.place}; };
+    // what is no nearer than a limit stays so, whatever rounding does
+    const auto outside = [&](const Nearest& core, double limit, double enough) {
+      Nearest found{core.distance - around, core.place};
+      for (const double known : {limit, enough})
+        if (core.distance >= known + around) found.distance = std::max(found.distance, known);
+      return found;
+    };
     if (part_.section) {
       walk(number, swing, piece.part, reach, allowed,
-           [&](const ToolPose& pose, double, double enough) {
-             return outside(part_.section(piece, pose, enough + around));
+           [&](const ToolPose& pose, double limit, double enough) {
+             return outside(part_.section(piece, pose, enough + around), limit, enough);
            });
       return;
     }
     CellSearch search(piece, part_.distance, 0.5 * options_.resolution);
     walk(number, swing, piece.part, reach, allowed,
          [&](const ToolPose& pose, double limit, double enough) {
-           return outside(search.find(pose, limit + around, enough + around));
+           return outside(search.find(pose, limit + around, enough + around), limit, enough);
          });
   }
 
