@@ -11,9 +11,10 @@ set(PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/PatchMill)
 
 install(TARGETS patchmill_core EXPORT PatchMillTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         ${LIBRARY_COMPONENT})
-# flute_*.h are compiled once for each instruction set, with a name given from outside: not to be included
 install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/src/core/patchmill DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        ${LIBRARY_COMPONENT} FILES_MATCHING PATTERN "*.h" PATTERN "flute_*.h" EXCLUDE)
+        ${LIBRARY_COMPONENT} FILES_MATCHING PATTERN "*.h"
+        # parts of flute_lanes_*.cpp, compiled once for each instruction set with a name given from outside
+        REGEX "/flute_(lanes|newton|rows|search)\\.h$" EXCLUDE)
 install(EXPORT PatchMillTargets NAMESPACE PatchMill:: DESTINATION ${PACKAGE_DIR} ${LIBRARY_COMPONENT})
 configure_package_config_file(${CMAKE_CURRENT_SOURCE_DIR}/cmake/PatchMillConfig.cmake.in
                               ${CMAKE_CURRENT_BINARY_DIR}/PatchMillConfig.cmake
