@@ -104,8 +104,8 @@ RC_GTEST_PROP(Predict, ALockTakesItsTurnsAtAnySpindleSpeed, (unsigned s, unsigne
   const Prediction prediction = predict(path, machine(), ratio);
   RC_ASSERT(prediction.known);
   const auto& ends = prediction.ends;
-  // once locked it cannot be off by more than what one period's acceleration moves it
-  const double chatter = 2000.0 * 1e-3 * 1e-3 / pitch;
+  // once locked neither mark can be off by more than what one period's acceleration moves it
+  const double chatter = 2.0 * 2000.0 * 1e-3 * 1e-3 / pitch;
   for (std::size_t i = 2; i + 1 < ends.size(); ++i)
     RC_ASSERT(std::abs(ends[i].turns - ends[1].turns - 0.5 / pitch * (i - 1.0)) < chatter);
 }
@@ -125,6 +125,23 @@ TEST(Predict, DoesNotCareWhichAxisIsWhich) {
     move.end.tip = Vec3(move.end.tip.z(), move.end.tip.x(), move.end.tip.y());
   const Prediction a = predict(path, machine()), b = predict(swapped, machine());
   for (std::size_t i = 0; i < a.ends.size(); ++i) EXPECT_DOUBLE_EQ(a.ends[i].time, b.ends[i].time);
+}
+
+// Two arcs that take the whole of the straight between them: the straight has no length, and no speed of its own. A
+// prediction that held the arc to that speed would never end.
+TEST(Predict, EndsWhereArcsTakeAStraightIn) {
+  ToolPath path = staircase({0.5}, 0.3, Pace::Feed);
+  path.moves[0].tolerance = 1.0;
+  for (int i = 0; i < 8; ++i) {
+    Move next = path.moves.back();
+    next.end.tip += 0.5 * (i % 2 ? Vec3::UnitX() : Vec3::UnitY());
+    path.moves.push_back(next);
+  }
+  for (const PathPiece& piece : path_pieces(path, machine()).pieces) ASSERT_GT(piece.limit, 0.0);
+  const Prediction prediction = predict(path, machine());
+  ASSERT_TRUE(prediction.known);
+  for (std::size_t i = 1; i < prediction.ends.size(); ++i)
+    EXPECT_GT(prediction.ends[i].time, prediction.ends[i - 1].time);
 }
 
 }  // namespace

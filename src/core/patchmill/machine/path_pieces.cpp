@@ -84,7 +84,8 @@ PathPieces path_pieces(const ToolPath& path, const MotionModel& model) {
     if (!whole) {
       bend.length += line.length;
       bend.mark += line.length;
-      bend.limit = std::min({line.limit, corner[i].planned, bend.length / model.period});
+      bend.limit = std::min({velocity_along(model, along), corner[i].planned,
+                             bend.length / model.period});  // the straight may have no length
       if (line.pitch > 0.0 && bend.pitch > 0.0)
         out.swallowed += std::abs(line.length / line.pitch - line.length / bend.pitch) > kNoMatter;
     }
