@@ -17,7 +17,9 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
+from patchmill.operations.base import planned
 from patchmill.textures import strategies
+from patchmill.textures.plan import PlannedTexture
 
 # what a plan must hold, as the verdict of the core has it [degrees]
 RMS, LARGEST = 3.0, 9.0
@@ -50,9 +52,11 @@ def best_speed(operation, speeds=None, progress=None):
     """BestSpeed of a texture operation on its machine. `speeds`: whole rpm to try; None: from a fourth of the
     speed that is set to four times it. None if `progress` (share -> bool) returned False. Raises InputError
     naming Machine, Form or Speeds."""
-    from patchmill.operations.texture_operation import planned
-
-    return of_plan(planned(operation), speeds, progress)
+    plan = planned(operation)
+    if not isinstance(plan, PlannedTexture):
+        label = getattr(operation, "Label", repr(operation))
+        raise InputError("Operation", label, "choose a texture operation.")
+    return of_plan(plan, speeds, progress)
 
 
 def of_plan(plan, speeds=None, progress=None):
