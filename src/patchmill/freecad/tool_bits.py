@@ -5,16 +5,16 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import json
 
-from patchmill.freecad import host
-
 
 def flutes_said(bit):
     """Whether somebody has said how many flutes a tool bit has. FreeCAD 1.1 gives a bit whose library does
     not say it the number of its shape's drawing."""
-    if host.VERSION < (1, 1) or not getattr(bit, "ToolBitID", ""):
+    try:
+        from Path.Tool.camassets import cam_assets
+    except ImportError:  # before FreeCAD 1.1, whose bits say what their library says
         return True
-    from Path.Tool.camassets import cam_assets
-
+    if not getattr(bit, "ToolBitID", ""):
+        return True
     if not cam_assets.exists("toolbit://" + bit.ToolBitID):
         return True  # it is in no library
     try:
