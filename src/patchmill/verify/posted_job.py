@@ -54,7 +54,9 @@ class _Reading:
         """Words of operations that move nothing are there before the next operation's first move."""
         for op, first, command in self.due:
             wanted = {(command.Name[0], float(command.Name[1:])), *command.Parameters.items()}
-            between = (words for number, words in self.words if first <= number < line)
+            between = [words for number, words in self.words if first <= number < line]
+            if "G" in command.Parameters:  # G91 G0 Z5: a control may want a block for each G word
+                between = [[word for words in between for word in words]]
             if not any(_holds(words, wanted, self.half_unit) for words in between):
                 said = command.toGCode().strip()
                 remedy = "the program does not have it: use a post-processor that keeps it, or leave it out."
