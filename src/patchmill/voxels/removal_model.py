@@ -15,6 +15,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.geometry import shapes
+from patchmill.system import files
 from patchmill.voxels import materials
 from patchmill.voxels.materials import OWN
 
@@ -72,7 +73,9 @@ class RemovalModel:
         if not file or file in self.files:
             return
         try:
-            core.save_voxels(file, key, self.grid, self.posture, self.materials)
+            with files.replacing(file, "voxel file") as kept:
+                name = kept.name if isinstance(kept.name, str) else "/proc/self/fd/%d" % kept.fileno()
+                core.save_voxels(name, key, self.grid, self.posture, self.materials)
             self.files.add(file)
         except InputError as error:
             reason = "the voxel model is not kept, and made anew next time: %s could not be written."

@@ -7,8 +7,10 @@
 #include "patchmill/voxel/voxelise.h"
 #include "voxel/shapes.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -83,6 +85,20 @@ TEST(VoxelFile, IsNotBelievedWhenAnyByteIsAnother) {
     std::ofstream(kPath, std::ios::binary) << bad;
     EXPECT_FALSE(read_voxel_model(kPath, "key")) << "byte " << at << " of " << whole.size();
   }
+  std::remove(kPath.c_str());
+}
+
+// A few bytes that ask for a box of 32768 cells a side: 64 GiB of bricks.
+TEST(VoxelFile, TakesNoMoreMemoryThanTheFileIsLong) {
+  const Fixture f;
+  write_voxel_model(kPath, "key", f.model);
+  std::string head = bytes_of(kPath).substr(0, 8 + 8 + 3 + 4 * 8 + 3 * 4 + 8);
+  const std::array<std::int32_t, 3> cells{32768, 32768, 32768};
+  const std::uint64_t bricks = std::uint64_t{1} << 36;
+  std::memcpy(&head[head.size() - 20], cells.data(), 12);
+  std::memcpy(&head[head.size() - 8], &bricks, 8);
+  std::ofstream(kPath, std::ios::binary) << head;
+  EXPECT_FALSE(read_voxel_model(kPath, "key"));
   std::remove(kPath.c_str());
 }
 

@@ -15,7 +15,6 @@ namespace patchmill::dcm {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x33764d5064746f4dULL;
-constexpr std::uint64_t kMost = std::uint64_t{1} << 36;
 
 // Mixes bytes into a sum, eight at a time: a file that was damaged gives another one.
 std::uint64_t mixed(std::uint64_t sum, const char* bytes, std::size_t count) {
@@ -39,9 +38,13 @@ struct Writer {
 
 struct Reader {
   std::istream& in;
+  std::uint64_t left =
+      0;  ///< bytes of the file that have not been read: what it says of itself may be false
   std::uint64_t sum = 0;
   explicit operator bool() const { return bool(in); }
   void bytes(void* to, std::size_t count) {
+    if (count > left) in.setstate(std::ios::failbit);
+    left -= std::min<std::uint64_t>(left, count);
     in.read(static_cast<char*>(to), static_cast<std::streamsize>(count));
     if (in) sum = mixed(sum, static_cast<const char*>(to), count);
   }
@@ -68,7 +71,7 @@ T get(Reader& in) {
 // False unless exactly `count` values follow.
 template <class T>
 bool get_all(Reader& in, std::size_t count, std::vector<T>& values) {
-  if (get<std::uint64_t>(in) != count || count > kMost || !in) return false;
+  if (get<std::uint64_t>(in) != count || !in || count > in.left / sizeof(T)) return false;
   values.resize(count);
   in.bytes(values.data(), count * sizeof(T));
   return bool(in);
@@ -145,20 +148,20 @@ void write_all(Writer& out, const std::string& key, const VoxelModel& model) {
 }  // namespace
 
 void write_voxel_model(const std::string& path, const std::string& key, const VoxelModel& model) {
-  const std::string part = path + ".part";
-  std::ofstream out(part, std::ios::binary);
+  std::ofstream out(path, std::ios::binary);
   Writer writer{out};
   if (out) write_all(writer, key, model);
   out.close();
-  if (!out || std::rename(part.c_str(), path.c_str()) != 0) {
-    std::remove(part.c_str());
+  if (!out)
     throw InputError("voxel file", path, "it could not be written: make room or choose a folder.");
-  }
 }
 
 std::optional<VoxelModel> read_voxel_model(const std::string& path, const std::string& key) {
   std::ifstream file(path, std::ios::binary);
-  Reader in{file};
+  file.seekg(0, std::ios::end);
+  const auto size = static_cast<std::int64_t>(file.tellg());
+  file.seekg(0);
+  Reader in{file, size > 0 ? static_cast<std::uint64_t>(size) : 0};
   if (!in || get<std::uint64_t>(in) != kMagic) return std::nullopt;
   std::vector<char> found;
   if (!get_all(in, key.size(), found) || std::string(found.begin(), found.end()) != key)

@@ -17,13 +17,12 @@ struct VoxelModel {
   std::vector<std::uint8_t> material;  ///< materials.h; empty if there is only the stock's own
 };
 
-/// Writes `path`, beside it first and then renamed: an old file stays whole until the new one is.
-/// `key` says what the model was made from. Errors: InputError naming the file if it cannot be
-/// written.
+/// Writes `path`; half a file is left if that fails, so that callers who replace one write another and rename it.
+/// `key` says what the model was made from. Errors: InputError naming the file if it cannot be written.
 void write_voxel_model(const std::string& path, const std::string& key, const VoxelModel& model);
 
 /// The model in the file, or nothing if there is no such file, its key is another, or it is not
-/// whole: then it is to be made anew.
+/// whole: then it is to be made anew. Takes no more memory than the file is long.
 std::optional<VoxelModel> read_voxel_model(const std::string& path, const std::string& key);
 
 }  // namespace patchmill::dcm
