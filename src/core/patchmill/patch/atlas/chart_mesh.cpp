@@ -161,7 +161,8 @@ class Builder {
     for (int j = 0; j + 1 < nodes_.rows(); ++j)
       for (int i = 0; i + 1 < nodes_.columns(); ++i)
         if (near_face(i, j)) add_cell(i, j);
-    for (auto& [ends, edge] : edges_) mesh_.edges.push_back(edge);
+    for (auto& [ends, edge] : edges_)
+      if (edge.length > 0.0) mesh_.edges.push_back(edge);
     return std::move(mesh_);
   }
 

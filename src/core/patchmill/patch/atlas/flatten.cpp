@@ -17,6 +17,7 @@ constexpr int kSteps = 15;
 constexpr double kRest = 1e-4;  // move of a step over the edges' mean length
 constexpr int kReweightings = 6;
 constexpr double kDamping = 1e-7;
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 double length_of(const ChartMesh& mesh, int a, int b) {
   const auto i = std::size_t(a), j = std::size_t(b);
@@ -32,7 +33,7 @@ Vec2 third_corner(double a, double b, double c) {
 
 // Triangles around a first one, layer by layer: each vertex at the mean of where its triangles want it.
 std::vector<Vec2> unrolled(const ChartMesh& mesh) {
-  const Vec2 unknown = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+  const Vec2 unknown = Vec2::Constant(kNotANumber);
   std::vector<Vec2> flat(mesh.positions.size(), unknown);
   std::vector<std::vector<int>> around(flat.size());
   for (std::size_t t = 0; t < mesh.unrolling.size(); ++t)
@@ -95,9 +96,10 @@ Eigen::VectorXd step(const ChartMesh& mesh, const std::vector<Vec2>& flat,
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const auto& edge = mesh.edges[e];
     const Vec2 d = flat[std::size_t(edge.b)] - flat[std::size_t(edge.a)];
-    if (!d.allFinite() || !(d.norm() > 0.0)) continue;
-    const Vec2 g = d / (d.norm() * edge.length);
-    const double miss = d.norm() / edge.length - 1.0;
+    // an edge that is nowhere yet has a place in the equations too: their pattern must not change
+    const bool known = d.allFinite() && d.norm() > 0.0;
+    const Vec2 g = known ? Vec2(d / (d.norm() * edge.length)) : Vec2(0.0, 0.0);
+    const double miss = known ? d.norm() / edge.length - 1.0 : 0.0;
     const int of[4] = {2 * edge.a, 2 * edge.a + 1, 2 * edge.b, 2 * edge.b + 1};
     const double slope[4] = {-g.x(), -g.y(), g.x(), g.y()};
     for (int i = 0; i < 4; ++i) {
@@ -114,6 +116,7 @@ Eigen::VectorXd step(const ChartMesh& mesh, const std::vector<Vec2>& flat,
   matrix.setFromTriplets(entries.begin(), entries.end());
   if (solver.rows() == 0) solver.analyzePattern(matrix);
   solver.factorize(matrix);
+  if (solver.info() != Eigen::Success) return Eigen::VectorXd::Constant(n, kNotANumber);
   return solver.solve(right);
 }
 
@@ -127,6 +130,10 @@ bool relax(const ChartMesh& mesh, const std::vector<double>& weights, int steps,
   for (int k = 0; k < steps && damping < 1e3; ++k) {
     if (!go_on(progress, double(k) / steps)) return false;
     const Eigen::VectorXd move = step(mesh, flat, weights, damping, solver);
+    if (!move.allFinite()) {  // the equations have no answer: damped, they have
+      damping *= 30.0;
+      continue;
+    }
     std::vector<Vec2> moved = flat;
     double furthest = 0.0;
     for (std::size_t v = 0; v < flat.size(); ++v) {
