@@ -125,6 +125,17 @@ def needing(library, folder):
         return file.read()
 
 
+class Modules(Case):
+    def test_all_that_documents_name_are_imported_without_the_core(self):
+        status, text = self.run_script(
+            "import importlib\nfrom patchmill.old_names import NEW_NAMES\n"
+            "for name in NEW_NAMES.values():\n    importlib.import_module('patchmill.' + name)\n"
+            "print('imported', len(NEW_NAMES))"
+        )
+        self.assertEqual(status, 0, text)
+        self.assertRegex(text, "imported [1-9]")
+
+
 class Documents(Case):
     def test_a_document_opened_without_the_core_keeps_everything(self):
         document, op = job_on(*tilted_box())

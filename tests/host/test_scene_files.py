@@ -29,7 +29,14 @@ def read(chunk):
 
 
 def found(root, kind):
-    """All nodes of a kind, also in a level of detail that is not drawn now."""
+    """All nodes of a kind, also in a level of detail that is not drawn now, and in a node kit."""
+    nodes = _search(root, kind)
+    for kit in _search(root, coin.SoWrapperKit):
+        nodes += found(kit.getPart("contents", False), kind)
+    return nodes
+
+
+def _search(root, kind):
     search = coin.SoSearchAction()
     search.setType(kind.getClassTypeId())
     search.setInterest(coin.SoSearchAction.ALL)

@@ -13,8 +13,12 @@ import numpy as np
 
 ROUNDED_TWICE = 1e-6  # mm, degrees: posts that take FreeCAD's text of a path round what has six decimals
 CHORD_ERROR = 1e-3  # mm, of arcs as they are read
-ANY_TOOL = core.BallEndMill(1.0, 2)
 COMMENT = re.compile(r"\([^)]*\)|;.*")
+
+
+def any_tool():
+    """A tool for reading what does not depend on it. Not a constant: there may be no core to make it."""
+    return core.BallEndMill(1.0, 2)
 
 
 @dataclass
@@ -51,7 +55,7 @@ class PostedProgram:
 
     def __init__(self, text, dialect):
         self.text, self.dialect = text, dialect
-        self.sections = core.read_gcode(text, ANY_TOOL, dialect, rotary=True)
+        self.sections = core.read_gcode(text, any_tool(), dialect, rotary=True)
         self.begins = np.cumsum([0] + [len(s.path) for s in self.sections])
         self.ends = _stacked([np.hstack([s.path.tips, np.degrees(s.angles[1:])]) for s in self.sections], 6)
         self.cuts = np.concatenate([s.path.kinds > 0 for s in self.sections] or [np.zeros(0, bool)])
