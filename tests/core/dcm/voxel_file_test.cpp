@@ -13,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,9 @@ struct Fixture {
   }
 };
 
-const std::string kPath = testing::TempDir() + "patchmill_model.voxels";
+// of this process: tests of one file run side by side
+const std::string kPath =
+    testing::TempDir() + "patchmill_model_" + std::to_string(getpid()) + ".voxels";
 
 std::string bytes_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
