@@ -50,6 +50,19 @@ TEST(Verdict, ALockHoldsAndDoesNotMindTheSpindle) {
   EXPECT_LT(verdict.largest.degrees(), 9.0);
 }
 
+// LinuxCNC's log at 3000 rpm, 2 flutes and 1 ms, ten periods to a tooth, was off by 17 degrees (docs/rows.md).
+TEST(Verdict, ALockIsNotSaidToHoldWhereAToothPassesInTenPeriods) {
+  Plan plan;
+  plan.model.acceleration = 1e6;  // nothing else is in the way
+  plan.model.velocity = 1e4;
+  plan.spindle.speed = 3000.0 / 60.0;
+  const Verdict fast = plan.verdict();
+  EXPECT_NE(fast.holding, Holding::Holds) << fast.sentence;
+  EXPECT_NE(fast.sentence.find("a tooth passes every 10 ms"), std::string::npos) << fast.sentence;
+  plan.model.period = 0.5e-3;  // and where twenty pass it is not the reason
+  EXPECT_EQ(plan.verdict().sentence.find("a tooth passes"), std::string::npos);
+}
+
 TEST(Verdict, AFeedDoesNotHoldAOnePercentError) {
   Plan plan;
   plan.rule.pace = Pace::Feed;
