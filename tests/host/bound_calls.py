@@ -69,6 +69,9 @@ call("read_gcode", text=t.PROGRAM, tool=t.tool, dialect="linuxcnc", rotary=True)
 call("match_plan", read=t.path, plan=t.path, tolerance=0.01)
 call("write_program", texts=["G1 X1 Y0 Z0 F10\n"], dialect="linuxcnc", precision=3, header=["x"])
 call("posted_feed", feed=20.0, decimals=3)
+call("ProgramSection.part", lambda **given: core.read_gcode(
+    t.PROGRAM, t.tool, "linuxcnc", rotary=True)[0].part(**given), first=0, end=2, tool=t.tool)
+call("Tool.scallop_height", t.tool.scallop_height, cross_feed=0.5)
 call("program_lines", text=t.PROGRAM, dialect="linuxcnc")
 call("safe_comment", dialect="linuxcnc", text="a label")
 call("feeds_of", text="G1 X1 F2")
@@ -135,6 +138,11 @@ call("MarkWish", lambda **given: core.advise(core.MarkWish(**given)), array="Squ
 call("MarkWish ridge", lambda **given: core.advise(core.MarkWish(**given)), ridge_height=0.01, **WISH)
 call("MarkWish.state", lambda **given: core.MarkWish(**given).state(), feed_per_tooth=0.5, **WISH)
 call("advise", wish=core.MarkWish(t.tool, 16.0, "Square", 5.0, feed_per_tooth=0.5))
+
+call("in_rows", dimples=t.dimples, pattern=t.pattern, direction=0, one_way=False, whole_face=True)
+call("row_directions", pattern=t.pattern)
+call("nearest_row_direction", pattern=t.pattern, direction=(1.0, 0.0))
+call("flattest_row_direction", dimples=t.dimples, pattern=t.pattern)
 
 # phase and the strategies
 call("PhaseRule", lambda **given: core.constant_feed_path(

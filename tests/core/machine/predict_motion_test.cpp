@@ -110,6 +110,12 @@ RC_GTEST_PROP(Predict, ALockTakesItsTurnsAtAnySpindleSpeed, (unsigned s, unsigne
     RC_ASSERT(std::abs(ends[i].turns - ends[1].turns - 0.5 / pitch * (i - 1.0)) < chatter);
 }
 
+TEST(Predict, APathOfYearsIsUnknown) {
+  ToolPath path = staircase({2.0, 2.0}, 0.5, Pace::Feed);
+  path.moves.back().end.tip.z() = 1e300;
+  EXPECT_FALSE(predict(path, machine()).known);
+}
+
 TEST(Predict, AFeedDoesNotFollowTheSpindle) {
   const ToolPath path = staircase({2.0, 2.0}, 0.5, Pace::Feed);
   const Prediction nominal = predict(path, machine()), fast = predict(path, machine(), 1.01);

@@ -4,6 +4,7 @@
 
 #include "patchmill/machine/planner_cycle.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -32,6 +33,22 @@ Prediction predict_stops(const std::vector<PathPiece>& pieces, const ToolPath& p
 
 }  // namespace
 
+namespace {
+
+constexpr double kMaxPeriods = 1e8;  // a day at 1 ms: each is stepped through
+
+// Time of pieces without any acceleration [s].
+double seconds_at_least(const std::vector<PathPiece>& pieces, double turns_per_second) {
+  double seconds = 0.0;
+  for (const PathPiece& piece : pieces) {
+    const double asked = piece.feed > 0.0 ? piece.feed : piece.pitch * turns_per_second;
+    seconds += piece.length / (asked > 0.0 ? std::min(asked, piece.limit) : piece.limit);
+  }
+  return seconds;
+}
+
+}  // namespace
+
 Prediction predict(const ToolPath& path, const MotionModel& model, double speed_ratio) {
   require_valid(model);
   const PathPieces cut = path_pieces(path, model);
@@ -43,6 +60,8 @@ Prediction predict(const ToolPath& path, const MotionModel& model, double speed_
         fmt::format("{} moves are so short that the controller makes them a part of their corners",
                     cut.swallowed),
         {}};
+  if (!(seconds_at_least(cut.pieces, rate) < kMaxPeriods * model.period))
+    return {false, fmt::format("it takes over {:.0e} periods of the controller", kMaxPeriods), {}};
   return {true, {}, planner_cycles(cut.pieces, model.period, rate, path.moves.size())};
 }
 

@@ -24,10 +24,13 @@ std::vector<PlannedDimple> planned_dimples(const patch::Dimples& dimples, double
   return planned;
 }
 
+constexpr double kMaxRadius = 1e5;  // mm: of larger ones a surface has no curvature left
+
 void require_turning_tool(const Tool& tool, const Spindle& spindle) {
   require_positive("SpindleSpeed", spindle.speed * 60.0, "rpm");
   require_valid(tool);
   require_ball(tool, "textures are milled");
+  require_in_range("BallRadius", tool.radius, 0.0, kMaxRadius, "mm");
 }
 
 void require_heights(double safe_height, double clearance_height) {
