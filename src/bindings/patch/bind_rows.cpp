@@ -1,6 +1,7 @@
 // Rows as another milling order, for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
+#include "patchmill/geometry/require.h"
 #include "patchmill/patch/division.h"
 #include "patchmill/patch/row_order.h"
 
@@ -30,6 +31,8 @@ void bind_rows(py::module_& m) {
   m.def(
       "nearest_row_direction",
       [](const patch::PatchPattern& pattern, const Vec2& direction) {
+        require_finite("Direction", direction.x(), "along X");
+        require_finite("Direction", direction.y(), "along Y");
         return patch::nearest_step(patch::lattice_of(pattern.shape), direction);
       },
       py::arg("pattern"), py::arg("direction"),

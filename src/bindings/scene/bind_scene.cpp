@@ -22,9 +22,11 @@ struct HeldDisplay {
 };
 
 /// Chunk `i`, an Open Inventor file.
-py::bytes chunk(const HeldDisplay& display, std::size_t i) {
-  if (i >= display.chunks.size()) throw py::index_error();
-  return py::bytes(display.chunks[i]);
+py::bytes chunk(const HeldDisplay& display, std::size_t number) {
+  if (number >= display.chunks.size())
+    throw InputError("number", std::to_string(number),
+                     "give one from 0 to below the display's length.");
+  return py::bytes(display.chunks[number]);
 }
 
 std::vector<Vec3> vectors_of(const Rows& rows) {

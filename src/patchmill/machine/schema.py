@@ -11,12 +11,13 @@ import math
 import _patchmill as core
 from _patchmill import InputError
 
-from patchmill.install import core_loader
 
 NUMBER = (int, float)
 MOST_SAID = 200  # letters of a wrong value in a message
-# none where there is no core: modules are imported without it too, so that documents keep their operations
-CONTROLS = () if core_loader.why_absent() else tuple(control["name"] for control in core.controls())
+try:
+    CONTROLS = tuple(control["name"] for control in core.controls())
+except core.InputError:  # there is no core: documents keep their operations all the same
+    CONTROLS = ()
 DIALECTS = CONTROLS + ("freecad",)
 AXES = ("XYZ", "XYZA", "XYZB", "XYZC", "XYZAB", "XYZAC", "XYZBC")
 

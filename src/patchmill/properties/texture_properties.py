@@ -10,6 +10,11 @@ from patchmill.properties.axis_properties import AXIS_PROPERTIES
 from patchmill.properties.row_properties import ROW_PROPERTIES
 from patchmill.textures import strategies
 
+try:
+    SHAPES = core.patch_shapes()
+except core.InputError:  # there is no core: a document's own list stays as it is
+    SHAPES = ["Square"]
+
 PROPERTIES = [
     (
         "App::PropertyLength",
@@ -59,7 +64,7 @@ PROPERTIES = [
         "PatchShape",
         "Texture",
         "Shape of the patches: squares and rectangles on a square lattice, the others on a triangular one",
-        core.patch_shapes(),
+        SHAPES,
     ),
     (
         "App::PropertyInteger",

@@ -110,13 +110,17 @@ from _patchmill.patch import cover as cover
 from _patchmill.patch import cover_lattice as cover_lattice
 from _patchmill.patch import curve_mask as curve_mask
 from _patchmill.patch import drop_slivers as drop_slivers
+from _patchmill.patch import flattest_row_direction as flattest_row_direction
 from _patchmill.patch import image_mask as image_mask
+from _patchmill.patch import in_rows as in_rows
 from _patchmill.patch import keep_where as keep_where
 from _patchmill.patch import lay_lattice as lay_lattice
 from _patchmill.patch import least_patch_side as least_patch_side
+from _patchmill.patch import nearest_row_direction as nearest_row_direction
 from _patchmill.patch import nearest_start as nearest_start
 from _patchmill.patch import patch_block as patch_block
 from _patchmill.patch import patch_shapes as patch_shapes
+from _patchmill.patch import row_directions as row_directions
 from _patchmill.patch import row_pitch as row_pitch
 from _patchmill.patch import set_depth as set_depth
 from _patchmill.patch import sink as sink

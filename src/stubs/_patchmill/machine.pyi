@@ -56,7 +56,7 @@ class MotionModel:
 
 class PacedRule:
     """Spindle-locked or feed-paced, with lift and heights [mm]."""
-    def __init__(self, locked: bool, phase: _patchmill.sync.PhaseRule, lift: float, safe_height: float, clearance_height: float, turning: list[float] = ...) -> None:
+    def __init__(self, locked: bool, phase: _patchmill.sync.PhaseRule, lift: float, safe_height: float, clearance_height: float, turning: list[float] = ..., rows: bool = False) -> None:
         ...
 
 class PathText:

@@ -137,8 +137,14 @@ def curve_mask(loops: list[numpy.typing.ArrayLike]) -> Mask:
 def drop_slivers(dimples: Dimples, least: int) -> None:
     """Leaves out the dimples of patches that have fewer than `least`."""
     ...
+def flattest_row_direction(dimples: Dimples, pattern: PatchPattern) -> int:
+    """Which of the lattice's steps bends least over the dimples that are to be cut."""
+    ...
 def image_mask(pixels: numpy.typing.ArrayLike, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, outside: float = 0.0) -> Mask:
     """Grey rows from the top, 0 to 1, laid on the rectangle from `low` to `high` [mm]."""
+    ...
+def in_rows(dimples: Dimples, pattern: PatchPattern, direction: int, one_way: bool, whole_face: bool) -> Dimples:
+    """The dimples in rows along one of the lattice's steps, those left out last. On the whole face the patches become rows."""
     ...
 def keep_where(dimples: Dimples, division: PatchDivision, lattice: SurfaceLattice, mask: Mask, threshold: float = 0.5) -> None:
     """Leaves out dimples where the mask is below it."""
@@ -149,6 +155,9 @@ def lay_lattice(pattern: PatchPattern, sampler: _patchmill.brep.FaceSampler, pla
 def least_patch_side(shape: str) -> int:
     """The smallest side that a patch may have."""
     ...
+def nearest_row_direction(pattern: PatchPattern, direction: numpy.typing.ArrayLike) -> int:
+    """Which of the lattice's steps goes nearest to a direction of the texture plane."""
+    ...
 def nearest_start(wanted: numpy.typing.ArrayLike, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, sampler: _patchmill.brep.FaceSampler) -> numpy.typing.NDArray[numpy.float64]:
     """The place nearest to `wanted` that can be cut [mm]."""
     ...
@@ -157,6 +166,9 @@ def patch_block(pattern: PatchPattern, patches_x: int, patches_y: int) -> PatchD
     ...
 def patch_shapes() -> list[str]:
     """The names of all patch shapes, in the order in which they are offered."""
+    ...
+def row_directions(pattern: PatchPattern) -> int:
+    """How many directions rows can have on the pattern's lattice."""
     ...
 def row_pitch(shape: str) -> float:
     """Distance of neighbouring rows of dimples over the spacing."""
