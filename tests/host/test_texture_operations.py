@@ -137,7 +137,7 @@ class TheDirection(WithDocuments):
             patchmill.recompute(operation)
         self.assertEqual(caught.exception.property, "Dimples")
         self.assertIn("tool tip", caught.exception.remedy)
-        self.assertIn("MinimumTilt", caught.exception.remedy)
+        self.assertIn("incline the part", caught.exception.remedy)  # lowering MinimumTilt would not help
 
     def test_is_fitted_to_the_faces(self):
         box, face = tilted_box(25.0)
