@@ -61,10 +61,19 @@ class NewUser(unittest.TestCase):
         box.setCurrentIndex(box.findText(name))
         (arguments,) = FreeCADGui.getMainWindow().findChildren(QtGui.QWidget, "postProcessorArguments")
         arguments.setText("--precision=3")
-        panel = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
-        [b for b in panel if b.isVisible()][-1].button(QtGui.QDialogButtonBox.Ok).click()
+        self.assertTrue(driver.wait(self.pressed_ok))
         self.assertTrue(driver.wait(lambda: not driver.panel_open()))
         self.assertEqual(job.PostProcessor, name)
+
+    @staticmethod
+    def pressed_ok():
+        """Whether the OK button of the panel could be pressed; the panel may be about to be made anew."""
+        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+        try:
+            [b for b in boxes if b.isVisible()][-1].button(QtGui.QDialogButtonBox.Ok).click()
+        except (IndexError, RuntimeError):  # none there, or one that Qt has just deleted
+            return False
+        return True
 
     def report(self, folder):
         """The Report command, into the same folder."""

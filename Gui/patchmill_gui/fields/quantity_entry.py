@@ -8,6 +8,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import math
 
+import FreeCAD
 from PySide import QtCore, QtGui
 
 from patchmill_gui.fields import unit_text
@@ -15,6 +16,11 @@ from patchmill_gui.fields import unit_text
 REST_MS = 350  # without a key: what was typed so far is meant
 _ENDS = (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter, QtCore.Qt.Key_Tab, QtCore.Qt.Key_Backtab)
 _STEPS = (QtCore.Qt.Key_Up, QtCore.Qt.Key_Down, QtCore.Qt.Key_PageUp, QtCore.Qt.Key_PageDown)
+
+
+def host_decimals():
+    """Decimals of FreeCAD's own spin boxes."""
+    return FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("Decimals", 2)
 
 
 class QuantityEntry(QtCore.QObject):
@@ -84,14 +90,16 @@ class QuantityEntry(QtCore.QObject):
         if self._stepping:
             up = value > self.value
             self._take(stepped(self.value, self.kind, up) if value != self.value else value)
-        elif abs(value - self.value) > self._rounding():
+        elif not self._is_rounded(value):
             self._take(value)
         self._display()
 
-    def _rounding(self):
-        """By how much the text may differ from the value [kind]."""
+    def _is_rounded(self, value):
+        """Whether `value` is what a text of this one says: ours, or one with FreeCAD's decimals."""
         _, factor = unit_text.user_unit(self.kind)
-        return 0.51 * factor * 10.0 ** -unit_text.decimals_of(self.value / factor)
+        ours = 0.51 * factor * 10.0 ** -unit_text.decimals_of(self.value / factor)
+        own = factor * round(self.value / factor, host_decimals())
+        return abs(value - self.value) <= ours or abs(value - own) <= 1e-9 * factor
 
     def eventFilter(self, _, event):
         kind = event.type()
