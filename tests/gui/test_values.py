@@ -24,6 +24,7 @@ class Values(driver.BlockTest):
         FreeCAD.Units.setSchema(scheme)
         QtCore.QLocale.setDefault(QtCore.QLocale(language))
         self.operation, self.panel = driver.begin_texture(self.part)
+        self.panel.page.advanced.heading.setChecked(True)
         self.rows = self.panel.page.properties.rows
         return self.rows
 
