@@ -1,6 +1,7 @@
-"""How long the live preview and the relief's display take, printed: a measurement, not a test.
+"""How long the live preview, the relief's display and the longest pause of the GUI thread take, printed: a
+measurement, not a test.
 
-    tests/gui/run_gui tests/gui/preview_times.py
+    tools/bench gui
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -13,10 +14,49 @@ import FreeCADGui
 import numpy as np
 from patchmill.textures.plan import place_texture
 from patchmill_gui.views.texture_scene import placed_displays, relief_display
+from PySide import QtCore
 
 
 def gib():
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
+
+
+class Pauses:
+    """Longest time between two events of a timer of the event loop [ms]."""
+
+    def __init__(self):
+        self.longest, self.last = 0.0, time.monotonic()
+        self.timer = QtCore.QTimer()
+        self.timer.timeout.connect(self.tick)
+        self.timer.start(5)
+
+    def tick(self):
+        now = time.monotonic()
+        self.longest, self.last = max(self.longest, 1000.0 * (now - self.last)), now
+
+
+def pauses():
+    """The longest pause while 667,000 lattice points on 300 x 200 mm are previewed and planned, and how long
+    FreeCAD itself then takes to take the finished path over, which is not ours to move."""
+    document, part = driver.new_document(driver.wavy_block(300.0, 200.0))
+    driver.select(part, driver.top_face(part.Shape))
+    FreeCADGui.runCommand("PatchMill_CurvedTexture")
+    operation = document.getObject("CurvedTexture")
+    panel = driver.panel_of(operation)
+    driver.ready(panel)
+    panel.page.properties.rows["PatchSide"].editor.setValue(20)
+    found = Pauses()
+    driver.set_quantity(panel, "Spacing", 0.3)
+    driver.rest(0.1)
+    driver.wait(lambda: panel.ready_now() and panel.scene.complete, 300)
+    print("longest pause of preview and planning: %.0f ms" % found.longest)
+    found.timer.stop()
+    began = time.monotonic()
+    panel.accept()
+    driver.wait(lambda: not driver.panel_open(), 300)
+    took = time.monotonic() - began
+    print("taking over %d commands took the host %.1f s" % (operation.Path.Size, took))
+    print("most memory in use: %.1f GiB" % gib())
 
 
 def previews():
@@ -90,6 +130,7 @@ def _frame(view, height, k):
 
 
 def main():
+    pauses()
     previews()
     relief()
     return 0
