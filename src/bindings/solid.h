@@ -12,4 +12,10 @@ struct Solid {
   explicit Solid(mesh::TriangleMesh given) : mesh(std::move(given)), bvh(mesh) {}
 };
 
+/// What errors call the shape: it must have a name, or they would name nothing.
+inline void require_named(const std::string& property) {
+  if (property.empty())
+    throw InputError("property", "empty", "give the name that errors are to call the shape by.");
+}
+
 }  // namespace patchmill

@@ -14,12 +14,12 @@
 
 namespace patchmill {
 namespace {
-
 const char* const kKindNames[voxel::kVoxelKinds] = {"air", "part", "removal", "surface",
                                                     "exterior"};
 
 Solid solid_of_brep(const std::string& brep, double deflection, const std::string& property,
                     bool closed) {
+  require_named(property);
   TessellationOptions options;
   options.deflection = deflection;
   Tessellation made = tessellate(read_shape(brep, property.c_str()), options);
@@ -35,6 +35,7 @@ using Corners = Eigen::Matrix<std::int32_t, -1, 3, Eigen::RowMajor>;
 
 Solid solid_of_arrays(const Points& vertices, const Corners& triangles,
                       const std::string& property) {
+  require_named(property);
   mesh::TriangleMesh mesh;
   for (Eigen::Index i = 0; i < vertices.rows(); ++i) mesh.vertices.emplace_back(vertices.row(i));
   for (Eigen::Index i = 0; i < triangles.rows(); ++i)
