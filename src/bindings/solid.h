@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "patchmill/geometry/error.h"
 #include "patchmill/mesh/triangle_bvh.h"
 
 namespace patchmill {
