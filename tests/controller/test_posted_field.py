@@ -31,7 +31,7 @@ op.PostUnheld = False
 plan = patchmill.recompute(op)
 patchmill.post(job, %(folder)r + "/x.ngc")
 text = open(%(folder)r + "/x.ngc").read()
-section = core.read_gcode(text, plan.input.tool, "linuxcnc", rotary=True)[-1]
+section = core.read_gcode(text, plan.input.tool, "linuxcnc", rotary=True)[0]  # then the table turns back
 core.match_plan(section.path, plan.posture.told.path, 1e-6)
 work = plan.posture.work.path
 ends = np.flatnonzero(section.path.dimples >= 0)
