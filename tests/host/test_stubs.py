@@ -3,9 +3,11 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import configparser
 import importlib.machinery
 import importlib.util
 import pathlib
+import re
 import sys
 import unittest
 
@@ -39,6 +41,24 @@ class Stubs(unittest.TestCase):
             for own, value in vars(part).items():
                 if not own.startswith("__"):
                     self.assertIs(getattr(core, own), value)
+
+    def test_types_are_checked_for_the_oldest_python_that_the_package_takes(self):
+        settings = configparser.ConfigParser()
+        settings.read(ROOT / "mypy.ini")
+        taken = re.search(r"<pythonmin>(.*)</pythonmin>", (ROOT / "package.xml").read_text()).group(1)
+        self.assertEqual(settings["mypy"]["python_version"], taken)
+
+    def test_only_modules_of_others_may_lack_types(self):
+        settings = configparser.ConfigParser()
+        settings.read(ROOT / "mypy.ini")
+        for section in settings.sections():
+            for module in section.split(","):
+                self.assertNotRegex(module, r"patchmill|^mypy-\*")
+
+    def test_what_a_class_was_called_before_is_the_same_class(self):
+        text = tool().stubs(core)["path.pyi"]
+        self.assertIn("\nBallEndMill = Tool\n", text)
+        self.assertEqual(text.count("class Tool:"), 1)
 
     def test_what_a_signature_says(self):
         writer = tool().Writer(core.path, {"ToolPath": "_patchmill.path", "Dimples": "_patchmill.patch"})

@@ -117,8 +117,8 @@ class SimulatePanel(WorkPanel):
         self.operation.ViewObject.Show = RELIEF
         self.legend.show(translate("height over the faces [µm]"), low, high)
         cells = "".join(
-            "<tr><td>%s </td><td><b>%s</b></td></tr>" % tuple(map(html.escape, row))
-            for row in self.result.rows()
+            "<tr><td>%s </td><td><b>%s</b></td></tr>" % (html.escape(name), html.escape(value))
+            for name, value in self.result.rows()
         )
         self.text.setText("<table>%s</table>" % cells)
 

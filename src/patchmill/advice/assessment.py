@@ -40,7 +40,7 @@ def assess(simulate, given, count=5, progress=None, first=None):
     tilts = _tilts(placed)
     numbers = np.flatnonzero(cut)
     order = numbers[np.argsort(tilts[numbers], kind="stable")]
-    made = {}
+    made: dict[int, PatchQuality] = {}
     for k in sorted(range(count), key=lambda k: k != first):
         if progress and not progress(len(made) / count):
             return None

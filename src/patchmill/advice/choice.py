@@ -11,6 +11,7 @@ from _patchmill import InputError
 from patchmill.advice.found import GOOD
 from patchmill.machine import machines
 from patchmill.textures import strategies
+from patchmill.textures.input import TextureInput
 from patchmill.textures.plan import plan_texture
 
 FLAT = 12.0  # degrees to the tool axis, below which the tip comes near whatever the strategy
@@ -57,7 +58,7 @@ def choose(assess, given, any_feed=False, progress=None):
     returned False. Raises InputError where no dimple can be placed whatever the strategy."""
     machine = machines.load(given.machine) if given.machine else None
     tried = list(candidates(given, machine, any_feed))
-    choices = []
+    choices: list[tuple[TextureInput, Choice]] = []
     for number, (fields, factor) in enumerate(tried):
         if progress and not progress(number / len(tried)):
             return None

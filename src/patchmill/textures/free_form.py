@@ -26,7 +26,7 @@ def place(given: Any, progress: Optional[Callable[[float], bool]] = None) -> Opt
     patch = core.FreePatch(
         given.patch_shape, given.free_side, given.cross_feed, given.feed_per_tooth
     )
-    remarks = []
+    remarks: list[str] = []
     plane, sampler, low, high = sampler_on(given, remarks)
     divided = _stands(given, patch, plane, sampler, low, high, progress)
     if divided is None:

@@ -160,7 +160,7 @@ def _place_lattice(given: TextureInput, progress: Progress) -> Optional[dict]:
     """The fields of a PlacedTexture whose dimples are on a lattice, as a dict."""
     size = texture_size(given)  # before the faces are looked at
     given = replace(given, spacing=size["spacing"])
-    remarks = []
+    remarks: list[str] = []
     plane, sampler, low, high = sampler_on(given, remarks)
     laying = given.mapping != "Projected"
     divided = divide(given, plane, sampler, low, high, remarks, _share(progress, 0.0, 0.7))

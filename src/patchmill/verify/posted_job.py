@@ -138,7 +138,7 @@ class _Reading:
         mode = host.coolant_of(op)
         if mode not in COOLANT:
             return
-        on = set()
+        on: set[str] = set()
         for line in self.lines[: self.program.line_of(run.first)]:
             for word in re.findall(r"\bM0?([789])\b", line):
                 on = on | {"M" + word} if word != "9" else set()

@@ -148,7 +148,8 @@ def _run(told, read, read_cuts, near):
     alike = n == len(told) and np.array_equal(read_cuts[:n], told.cuts)
     if alike and np.all(_same(read[:n], told.ends, near)):
         return n, np.arange(n)
-    owners, i = [], 0
+    owners: list[int] = []
+    i = 0
     while i < len(told):
         at = len(owners)
         if told.arcs[i] >= 0:
@@ -174,7 +175,7 @@ def _along_arc(chords, read, read_cuts, near):
     way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(chords, axis=0), axis=1))])
     at, gone = chords[0], 0.0
     for number, (point, cut) in enumerate(zip(read, read_cuts), 1):
-        gone += np.linalg.norm(point - at)
+        gone += float(np.linalg.norm(point - at))
         at = point
         there = [np.interp(gone, way, chords[:, axis]) for axis in range(3)]
         if not cut or np.linalg.norm(point - there) > off or gone > way[-1] + off:

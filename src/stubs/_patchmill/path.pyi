@@ -10,34 +10,7 @@ import typing
 import numpy
 import numpy.typing
 
-class BallEndMill:
-    """A cutter: radius [mm], > 0; flutes, 1 to 32; radius of its corner [mm], 0 (flat) to the radius (a ball, as without one); angle between flank and axis [rad]. Raises InputError naming BallRadius, Flutes, CornerRadius or TaperAngle."""
-    def __eq__(self, other: object) -> bool:
-        ...
-    def __init__(self, radius: float, flutes: int, corner_radius: typing.Optional[float] = None, taper: float = 0.0) -> None:
-        ...
-    @property
-    def corner_radius(self) -> float:
-        """[mm]; so far is the tool's centre above its tip."""
-        ...
-    @property
-    def flutes(self) -> int:
-        ...
-    @property
-    def is_ball(self) -> bool:
-        ...
-    @property
-    def name(self) -> str:
-        ...
-    @property
-    def radius(self) -> float:
-        ...
-    def scallop_height(self, cross_feed: float) -> float:
-        """Ridge that it leaves on a flat between passes [mm]."""
-        ...
-    @property
-    def taper(self) -> float:
-        ...
+BallEndMill = Tool
 
 class Spindle:
     """Speed [revolutions per second], > 0, and sense, 'M3' or 'M4'."""
