@@ -29,7 +29,7 @@ MOST_FINDINGS = 1000
 
 @dataclass
 class Finding:
-    """One stretch of a move that comes too near: the worst place of it [mm, work frame]."""
+    """A part of the tool that comes too near on a move: the worst place of it [mm, work frame]."""
 
     part: str  # ball, flute, shank or holder
     move: int  # number of the move in the path, from 0

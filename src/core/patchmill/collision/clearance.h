@@ -1,7 +1,7 @@
 // Gouge and collision: does the cutting end, the shank or the holder go deeper into the part than allowed,
-// anywhere on a path, links and rapids included? By conservative advancement: the distance to the
-// part changes no faster than the tool moves, so a step may be as long as the clearance allows and
-// nothing is jumped over.
+// anywhere on a path, links and rapids included? By the distance of what the tool sweeps on a move
+// where it is known; else in steps: the distance to the part changes no faster than the tool moves,
+// so a step may be as long as the clearance allows. Nothing is jumped over (move_check.h).
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -44,12 +44,23 @@ struct SectionDistance {
   Vec3 place = Vec3::Zero();
 };
 
+/// The same of a section that moves without a turn. `inside`: all of what it sweeps is inside the part.
+struct SweptSection : SectionDistance {
+  double fraction = 0.0;  ///< of the travel, 0 .. 1, where it is nearest
+  bool inside = false;
+};
+
 /// The part to check against.
 struct PartShape {
   PartDistance distance;
   /// Distance of a section at a pose; where it is above `enough`, anything from there to it will do. Empty:
   /// the section is searched by `distance`, which takes long where flat meets flat.
   std::function<SectionDistance(const ToolSection&, const ToolPose&, double enough)> section;
+  /// Distance of a section that goes from a pose along a travel [mm] without a turn, from the part's surface, found
+  /// to `within` [mm] or a fiftieth of what it is below `enough`; where it is above `enough`, anything from there to it will do. Empty: moves are walked in steps.
+  std::function<SweptSection(const ToolSection&, const ToolPose&, const Vec3& travel, double enough,
+                             double within)>
+      swept;
 
   PartShape() = default;
   template <class Distance>
@@ -82,9 +93,10 @@ enum class ClearanceOutcome : std::uint8_t {
 
 struct ClearanceReport {
   ClearanceOutcome outcome = ClearanceOutcome::Unknown;
-  std::vector<ClearanceFinding> findings;  ///< the worst of each stretch of a move, in order
-  std::int64_t unknown_moves = 0;          ///< moves with a place of unknown distance
-  std::string reason;                      ///< why Unknown, a sentence
+  std::vector<ClearanceFinding>
+      findings;                    ///< the worst of each part of the tool on each move, in order
+  std::int64_t unknown_moves = 0;  ///< moves with a place of unknown distance
+  std::string reason;              ///< why Unknown, a sentence
 };
 
 /// Checks every move from its start to its end on a straight line of the tip, the axis turning

@@ -7,21 +7,27 @@
 namespace patchmill::collision {
 
 FrustumSearch::FrustumSearch(const mesh::TriangleBvh& mesh, const Vec3& origin, const Vec3& axis,
-                             double resolution, double stop)
-    : mesh_(mesh), origin_(origin), axis_(axis), resolution_(resolution), stop_(stop) {}
+                             double resolution, double stop, const Vec3& travel, double relative)
+    : mesh_(mesh),
+      origin_(origin),
+      axis_(axis),
+      travel_(travel),
+      resolution_(resolution),
+      stop_(stop),
+      relative_(relative) {}
 
 bool FrustumSearch::decided(double bound) const {
-  return best_ < stop_ || bound >= best_ - resolution_;
+  return best_ < stop_ || bound >= best_ - std::max(resolution_, relative_ * (given_ - best_));
 }
 
 // No point of the box is nearer.
 double FrustumSearch::bound(const Frustum& frustum, const mesh::BvhNode& node) const {
-  const auto d = frustum_distance(frustum, origin_, axis_, 0.5 * (node.lo + node.hi));
+  const auto d = distance(frustum, 0.5 * (node.lo + node.hi));
   return d.value - 0.5 * d.gradient.cwiseAbs().dot(node.hi - node.lo);
 }
 
 double FrustumSearch::nearer(const Frustum& frustum, double best) {
-  best_ = best;
+  best_ = given_ = best;
   struct Visit {
     std::int32_t node;
     double bound;
@@ -46,10 +52,11 @@ double FrustumSearch::nearer(const Frustum& frustum, double best) {
 
 void FrustumSearch::triangle(const Frustum& frustum, const mesh::Triangle& t) {
   const Vec3 middle = (t.a + t.b + t.c) / 3.0;
-  const auto d = frustum_distance(frustum, origin_, axis_, middle);
+  const auto d = distance(frustum, middle);
   if (d.value < best_) {
     best_ = d.value;
     point_ = middle;
+    fraction_ = d.fraction;
   }
   const Vec3& g = d.gradient;
   if (decided(d.value + std::min({g.dot(t.a - middle), g.dot(t.b - middle), g.dot(t.c - middle)})))

@@ -5,35 +5,42 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "patchmill/collision/frustum.h"
+#include "patchmill/collision/sweep.h"
 #include "patchmill/mesh/triangle_bvh.h"
 
 namespace patchmill::collision {
 
-/// Least signed distance of a mesh from frusta on one axis through `origin` [mm]; the axis is of unit length. The mesh
-/// must outlive it.
+/// Least signed distance of a mesh from frusta on one axis through `origin` [mm], wherever they are on their way from
+/// there along `travel` [mm]; the axis is of unit length. The mesh must outlive it.
 class FrustumSearch {
  public:
-  /// Finds distances to `resolution` [mm, > 0]; those below `stop` need not be found any better.
+  /// Finds distances to `resolution` [mm, > 0], or to the fraction `relative` of how far they are below the best so
+  /// far that nearer() is given, if that is more; those below `stop` need not be found any better.
   FrustumSearch(const mesh::TriangleBvh& mesh, const Vec3& origin, const Vec3& axis,
-                double resolution, double stop);
+                double resolution, double stop, const Vec3& travel = Vec3::Zero(),
+                double relative = 0.0);
 
   /// Least distance from one more frustum, if it is less than `best`; `best` again if not.
   double nearer(const Frustum& frustum, double best);
 
-  /// Point of the mesh where the least distance of all calls was found.
+  /// Point of the mesh where the least distance of all calls was found, and the fraction of the travel.
   const Vec3& point() const { return point_; }
+  double fraction() const { return fraction_; }
 
  private:
+  SweptDistance distance(const Frustum& frustum, const Vec3& p) const {
+    return swept_distance(frustum, origin_, axis_, travel_, p);
+  }
   bool decided(double bound) const;
   double bound(const Frustum& frustum, const mesh::BvhNode& node) const;
   void triangle(const Frustum& frustum, const mesh::Triangle& t);
 
   const mesh::TriangleBvh& mesh_;
-  Vec3 origin_, axis_;
-  double resolution_, stop_;
-  double best_ = 0.0;
+  Vec3 origin_, axis_, travel_;
+  double resolution_, stop_, relative_;
+  double best_ = 0.0, given_ = 0.0;
   Vec3 point_ = Vec3::Zero();
+  double fraction_ = 0.0;
 };
 
 }  // namespace patchmill::collision

@@ -72,9 +72,29 @@ class Solid {
 
 }  // namespace
 
+namespace {
+
+constexpr double kExact = 1e-6;     // mm
+constexpr double kRelative = 0.02;  // of what a swept section is too near
+
+/// What a section sweeps is all on one side of the surface that it does not touch.
+SweptSection sweep(const Solid& solid, const ToolSection& section, const ToolPose& pose,
+                   const Vec3& travel, double enough, double within) {
+  FrustumSearch search(solid.bvh(), pose.tip, pose.axis, std::max(within, kExact),
+                       -std::numeric_limits<double>::infinity(), travel, kRelative);
+  SweptSection found;
+  found.distance = search.nearer(section.frustum(), enough);
+  found.place = search.point();
+  found.fraction = search.fraction();
+  const Vec3 middle = pose.tip + 0.5 * (section.from + section.to) * pose.axis;
+  found.inside = found.distance > 0.0 && solid.inside(middle);
+  return found;
+}
+
+}  // namespace
+
 SectionDistance nearest_section(const mesh::TriangleBvh& bvh, const ToolSection& section,
                                 const ToolPose& pose, double enough) {
-  constexpr double kExact = 1e-6;  // mm
   FrustumSearch search(bvh, pose.tip, pose.axis, kExact, -std::numeric_limits<double>::infinity());
   const double nearest = search.nearer(section.frustum(), enough);
   return {nearest, search.point()};
@@ -86,11 +106,15 @@ PartShape shape_from_mesh(const mesh::TriangleMesh& mesh) {
   PartShape part([solid](const Vec3& at) { return solid->distance(at); });
   part.section = [solid](const ToolSection& section, const ToolPose& pose, double enough) {
     const SectionDistance found = nearest_section(solid->bvh(), section, pose, enough);
-    if (found.distance < enough) return found;
-    // no surface near: it may still be all inside
+    if (found.distance < 0.0) return found;
+    // it does not touch the surface: it may still be all inside
     const Vec3 middle = pose.tip + 0.5 * (section.from + section.to) * pose.axis;
     if (!solid->inside(middle)) return found;
     return SectionDistance{solid->distance(middle), middle};
+  };
+  part.swept = [solid](const ToolSection& section, const ToolPose& pose, const Vec3& travel,
+                       double enough, double within) {
+    return sweep(*solid, section, pose, travel, enough, within);
   };
   return part;
 }
@@ -109,6 +133,18 @@ PartShape join(std::vector<PartShape> parts) {
     for (const PartShape& part : *all) {
       const SectionDistance found = part.section(section, pose, best.distance);
       if (found.distance < best.distance) best = found;
+    }
+    return best;
+  };
+  joined.swept = [all](const ToolSection& section, const ToolPose& pose, const Vec3& travel,
+                       double enough, double within) {
+    SweptSection best;
+    best.distance = enough;
+    for (const PartShape& part : *all) {
+      const SweptSection found = part.swept(section, pose, travel, best.distance, within);
+      const bool inside = best.inside || found.inside;
+      if (found.distance < best.distance) best = found;
+      best.inside = inside;
     }
     return best;
   };

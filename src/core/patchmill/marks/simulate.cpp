@@ -4,12 +4,12 @@
 #include "patchmill/marks/simulate.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/shared_progress.h"
 #include "patchmill/marks/tile.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <mutex>
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -64,26 +64,6 @@ TilePasses sort_into_tiles(const std::vector<ToothPass>& passes, const SurfaceGr
     });
   return sorted;
 }
-
-/// Reports shares of the work from several threads, one call at a time.
-class SharedProgress {
- public:
-  SharedProgress(const Progress& progress, std::size_t count)
-      : progress_(progress), count_(count) {}
-  bool stopped() const { return stopped_; }
-  void one_done() {
-    if (!progress_) return;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!stopped_ && !go_on(progress_, static_cast<double>(++done_) / static_cast<double>(count_)))
-      stopped_ = true;
-  }
-
- private:
-  const Progress& progress_;
-  std::size_t count_, done_ = 0;
-  std::mutex mutex_;
-  std::atomic<bool> stopped_{false};
-};
 
 void require_valid_job(const Cutter& cutter, const SurfaceGrid& grid, const MarkOptions& options) {
   require_valid(cutter);
