@@ -45,6 +45,8 @@ _LAZY = {
     "post": ("patchmill.posting", "post"),
     "simulate": ("patchmill.verify.simulation", "simulate"),
     "check": ("patchmill.verify.checks", "check"),
+    "measured": ("patchmill.surface.files", "load"),
+    "areal_parameters": ("patchmill.areal.parameters", "areal_parameters"),
     "write_report": ("patchmill.reports.report", "write_report"),
 }
 

@@ -111,6 +111,35 @@ class Simulate(unittest.TestCase):
         block, _ = result.surface(stride=5, rows=(10, 31), columns=(5, 26))
         np.testing.assert_allclose(block, points[2:7, 1:6], rtol=0, atol=1e-9)
 
+    def test_the_relief_and_its_dimples_are_written(self):
+        import csv
+
+        import Mesh
+
+        result = patchmill.simulate(self.op, window=((-1.0, -1.0), (1.0, 1.0)))
+        with tempfile.TemporaryDirectory() as folder:
+            result.save(folder + "/relief.x3p")
+            read = patchmill.measured(folder + "/relief.x3p")
+            np.testing.assert_allclose(read.heights, result.heights, atol=1e-12)
+            np.testing.assert_allclose(read.origin, result.origin, atol=1e-12)
+            result.save(folder + "/relief.stl")
+            box = Mesh.Mesh(folder + "/relief.stl").BoundBox
+            points = result.surface()[0].reshape(-1, 3)
+            self.assertAlmostEqual(box.XMin, np.nanmin(points[:, 0]), 5)
+            self.assertAlmostEqual(box.ZMax, np.nanmax(points[:, 2]), 5)
+            result.save_dimples(folder + "/dimples.csv")
+            with open(folder + "/dimples.csv", newline="", encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+        data = result.data()
+        states = [row["state"] for row in rows]
+        self.assertEqual(len(rows), len(result.plan.dimples) + data["extra"])
+        self.assertEqual(states.count("found"), data["found"])
+        self.assertEqual(states.count("missing"), data["missing"])
+        moved = [float(row["moved"]) for row in rows if row["state"] == "found"]
+        self.assertAlmostEqual(max(moved), data["place_largest_mm"], 9)
+        depths = [float(r["depth"]) for r in rows if r["state"] == "found" and r["at_edge"] == "0"]
+        self.assertAlmostEqual(np.mean(depths), data["depth_mm"], 6)
+
     def test_progress_and_cancel(self):
         seen = []
         patchmill.simulate(self.op, progress=lambda share: seen.append(share) or True)

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 
 import _patchmill as core
 
+from patchmill.surface import dimple_table, files
+from patchmill.surface.height_map import HeightMap
 from patchmill.textures.plan import PlannedTexture
 
 
@@ -60,6 +62,26 @@ class SimulatedTexture:
         c0, c1 = columns or (0, c)
         return self.marks.surface(self.base, self.reach, r0, r1 - r0, c0, c1 - c0, stride)
 
+    def height_map(self):
+        """The HeightMap of the deviations from the base, over the texture plane."""
+        return HeightMap(self.heights, self.step, self.origin, "Texture cut by %s" % self.source)
+
+    def save(self, filename):
+        """Writes the relief; the name's ending says the format (patchmill.surface.files): deviations from the
+        base as .gsf, .sdf, .x3p, .tif, .exr, .csv, .vti; the surface itself, in the work frame, as .stl or
+        .ply. Raises InputError naming filename or Surface."""
+        files.save(filename, self.height_map(), _Relief(self))
+
+    def dimple_table(self):
+        """(names, rows) of the dimples, planned and found, and of the marks that nobody planned. A dimple
+        that was not cut says why; of one that was not simulated or found only what is planned is there.
+        Lengths in mm, volumes in mm³ of a cap of that depth and diameter."""
+        return dimple_table.COLUMNS, list(dimple_table.rows(self))
+
+    def save_dimples(self, filename):
+        """Writes the dimple table as CSV, names in the first line. Raises InputError naming filename."""
+        dimple_table.save(filename, self)
+
     def data(self):
         """The figures as a dict of plain values: lengths in mm, shares 0 to 1."""
         f = self.found
@@ -108,6 +130,16 @@ class SimulatedTexture:
     def text(self):
         """The table as text."""
         return "\n".join("%-32s %s" % row for row in self.rows())
+
+
+class _Relief:
+    """The surface itself, for patchmill.surface.meshes."""
+
+    def __init__(self, simulated):
+        self.simulated, self.shape = simulated, simulated.heights.shape
+
+    def points(self, first, end):
+        return self.simulated.surface(rows=(first, end))[0]
 
 
 def _number(value):
