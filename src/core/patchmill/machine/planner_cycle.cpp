@@ -13,7 +13,7 @@ constexpr double kAtRest = 1e-8;       // mm/s
 constexpr double kSeen = 1e-9;         // mm
 constexpr double kInstant = 1e-12;     // s
 constexpr double kSame = 1e-6;         // periods
-constexpr double kRampSeconds = 0.05;  // pieces of less are passed with one even acceleration
+constexpr double kRampSeconds = 0.01;  // pieces of less are passed with one even acceleration
 
 double within(double value, double limit) {
   return std::clamp(value, -limit, limit);

@@ -1,7 +1,7 @@
 // What a controller's planner does in each interpolation period. The tool takes the greatest speed from which it
 // can still meet what comes,
 //     v' = min(target, -a dt/2 + sqrt(v_end² + a (2 dx - v dt) + (a dt/2)²)),  |v' - v| <= a dt,
-// or, on a piece of less than a twentieth of a second, goes over to the speed at its end with one even
+// or, on a piece of less than a hundredth of a second, goes over to the speed at its end with one even
 // acceleration. A piece's last part of a period and the next one's first share one period; a piece begins
 // anew with a whole one after that. The target is the feed, or with the spindle locked
 //     K (turns per second) + sign(e) sqrt(a |e|),  e = K (turns since the lock) - way:
