@@ -155,9 +155,10 @@ def kinematics(data, key):
     return made
 
 
-def store_start_phase(key, degrees):
-    """Writes the start phase [degrees] into the user's own copy of the machine file; returns its path."""
-    return save(key, dict(load(key).data, start_phase_degrees=float(degrees)))
+def store_start_phase(key, degrees, conditions):
+    """Writes the start phase [degrees] and under which conditions it was found (calibrated.conditions) into
+    the user's own copy of the machine file; returns its path."""
+    return save(key, dict(load(key).data, start_phase_degrees=float(degrees), calibration=conditions))
 
 
 def save(key, data):

@@ -172,6 +172,13 @@ CONTROLLER = Record(
         "operator": List(TEXT, 20),
     },
 )
+CALIBRATION = Record(
+    {
+        "controller": TEXT,
+        "spindle_rpm": Value(*NUMBER, low=1e-3, high=1e6),
+        "pitch_mm": Value(*NUMBER, low=1e-6, high=1e4),
+    }
+)
 MACHINE = Record(
     {
         "format": Value(str, words=("patchmill-machine",)),
@@ -190,6 +197,9 @@ MACHINE = Record(
         "work_zero_mm": Numbers(3),
         "retract_mm": Record({}, {letter: Value(*NUMBER, low=-1e5, high=1e5) for letter in "ZXY"}),
         "controller": CONTROLLER,
+        "controller_version": TEXT,
+        "lock_origin": Value(str, words=("at speed", "index")),
+        "calibration": CALIBRATION,
     },
 )
 

@@ -15,7 +15,7 @@ import _patchmill as core
 from _patchmill import InputError
 
 from patchmill.freecad import host
-from patchmill.machine import machines
+from patchmill.machine import calibrated, machines
 from patchmill.operations.base import create, setup_properties
 from patchmill.operations.texture_operation import ObjectTexture
 
@@ -47,14 +47,17 @@ def _period(given):
 
 def store(obj, best_dimple):
     """Stores the start phase that the best dimple's number, from 0 along the helix, tells, with the
-    operation's machine. Returns it in degrees. Raises InputError naming Machine or BestDimple."""
+    operation's machine, and for which controller, S and K it holds (machine/calibrated). Returns it
+    in degrees. Raises InputError naming Machine or BestDimple."""
     if not obj.Machine:
         raise InputError("Machine", "''", "name the machine on which the patch was milled.")
     given = obj.Proxy.texture_input(obj)
     if best_dimple >= given.patch_side**2:
         raise InputError("BestDimple", best_dimple, "the patch has %d." % given.patch_side**2)
     found = degrees(core.start_phase(best_dimple, radians(given.phase_step), _period(given)))
-    machines.store_start_phase(obj.Machine, found)
+    machine = machines.load(obj.Machine)
+    conditions = calibrated.conditions(machine.data, given.spindle, given.spacing, given.tool.flutes)
+    machines.store_start_phase(obj.Machine, found, conditions)
     return found
 
 

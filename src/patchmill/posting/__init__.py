@@ -14,6 +14,7 @@ from _patchmill import InputError
 from patchmill.system import files
 from patchmill.freecad import host, post_probe
 from patchmill.freecad.kinds import TEXTURE, kind_of
+from patchmill.machine import calibrated
 from patchmill.operations.base import planned
 from patchmill.operations.copy_input import UNDERCUTS
 from patchmill.posting import control_match, kept_words
@@ -45,6 +46,7 @@ def post(job, filename, post_name=None, arguments=None):
         raise InputError("PostProcessor", repr(post_name), "give the name of a post-processor.")
     for op, plan in zip(textures, plans):
         _check_verdict(op, plan)
+        _check_calibration(plan)
         _check_arguments(post_name, plan, words)
     own = own_dialect(post_name)
     decimals = _decimals(post_name, words, plans)
@@ -110,6 +112,15 @@ def _check_verdict(op, plan):
         "%g rpm" % (60.0 * plan.input.spindle.speed),
         verdict.sentence + " Set PostUnheld to post it all the same.",
     )
+
+
+def _check_calibration(plan):
+    """A start phase that was found with another controller, or at a speed where it is another one, is not
+    posted."""
+    given = plan.input
+    if plan.machine is None or given.calibrating or given.strategy != strategies.LOCKED:
+        return
+    calibrated.require(plan.machine, given.spindle, given.spacing, given.tool.flutes)
 
 
 def require_millimetres(what, arguments):
