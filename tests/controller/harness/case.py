@@ -4,6 +4,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 import csv
 import dataclasses
+import hashlib
 import os
 import pathlib
 import subprocess
@@ -26,6 +27,14 @@ class Case:
     speed_ratio: float = 1.0   # true spindle speed / planned
     options: dict = dataclasses.field(default_factory=dict)
 
+    @property
+    def flutes(self):
+        return int(self.options.get('flutes', FLUTES))
+
+    @property
+    def radius(self):
+        return float(self.options.get('radius', RADIUS))
+
     def machine(self):
         return controller.Machine(acceleration=self.acceleration, velocity=self.velocity,
                                   speed_ratio=self.speed_ratio)
@@ -41,6 +50,8 @@ class Result:
     predicted: numpy.ndarray  # when the motion model says that the tool passes each dimple, s
     predicted_error: numpy.ndarray  # degrees, constant offset removed
     planned_turns: numpy.ndarray  # spindle turns that the plan gives each dimple
+    flutes: int = FLUTES
+    radius: float = RADIUS        # mm
 
     def drift(self):
         """Spindle turns that the machine took above the plan, degrees per dimple."""
@@ -55,7 +66,7 @@ class Result:
 
     def edge(self, offset=None):
         offset = self.report.offset if offset is None else offset
-        return cutting.Edge(self.log, offset, RADIUS, FLUTES, SENSE)
+        return cutting.Edge(self.log, offset, self.radius, self.flutes, SENSE)
 
     def places(self):
         return cutting.places(self.edge(), self.report, self.points, self.normals)
@@ -74,12 +85,14 @@ def make(case, stem, program=None):
                    check=True, stdout=subprocess.DEVNULL)
 
 
-def run(case, program=None):
-    """Plans, runs and measures one case."""
+def run(case, program=None, logs=None, limit=120.0):
+    """Plans, runs and measures one case. `logs`: a folder in which logs are kept; a program that has not
+    changed is not run again. `limit`: wall seconds for an attempt at the run. Raises
+    subprocess.CalledProcessError where there is no plan, and as controller.run."""
     with tempfile.TemporaryDirectory(prefix='patchmill-case-') as folder:
         stem = pathlib.Path(folder) / 'case'
         make(case, stem, program)
-        log = controller.run(stem.with_suffix('.ngc'), case.machine())
+        log = logged(stem.with_suffix('.ngc'), case.machine(), logs, limit)
         table = stem.with_suffix('.csv')
         targets = phase.read_targets(table)
         points, normals = cutting.read_surface(table)
@@ -88,7 +101,23 @@ def run(case, program=None):
     predicted = numpy.array([[float(row[name]) for row in rows]
                              for name in ('predicted_s', 'predicted_turns',
                                           'planned_turns')])
-    error, _ = phase.without_offset(360 * predicted[1] - SENSE * targets.azimuth, 360 / FLUTES)
-    report = phase.measure(log, targets, FLUTES, SENSE)
+    error, _ = phase.without_offset(360 * predicted[1] - SENSE * targets.azimuth, 360 / case.flutes)
+    report = phase.measure(log, targets, case.flutes, SENSE)
     return Result(log, targets, report, points, normals, predicted[0], error,
-                  predicted[2])
+                  predicted[2], case.flutes, case.radius)
+
+
+def logged(program, machine, logs, limit):
+    """The log of a program on a machine, from the folder `logs` if it is there."""
+    if logs is None:
+        return controller.run(program, machine, limit=limit)
+    what = program.read_bytes() + repr(machine).encode()
+    kept = pathlib.Path(logs) / (hashlib.sha256(what).hexdigest() + '.npz')
+    if kept.exists():
+        with numpy.load(kept) as found:
+            return controller.Log(found['time'], found['tip'], found['turns'], found['line'], 0, found['tip'])
+    log = controller.run(program, machine, limit=limit)
+    if machine.kinematics == 'xyz':
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        numpy.savez_compressed(kept, time=log.time, tip=log.tip, turns=log.turns, line=log.line)
+    return log
