@@ -12,8 +12,8 @@
 namespace patchmill::sync {
 namespace {
 
-constexpr double kSlowest = 0.01, kCoarse = 0.8;
-constexpr int kBisections = 6;
+constexpr double kSlowest = 0.01, kCoarse = 0.8, kFine = 1.03;
+constexpr int kBisections = 4;
 
 // Takes the circular mean away, then what wrapping leaves of the mean.
 void remove_offset(std::vector<PhaseError>& errors, Angle period) {
@@ -118,14 +118,19 @@ struct Trial {
     return result;
   }
 
-  /// The highest speed that holds, below the spindle's own, which does not; 0 if none does [rev/s].
+  /// A speed that holds, below the spindle's own, which does not; 0 if none does [rev/s]. Near an axis' limit a lock
+  /// may hold at one speed, not at a slower one, and again at one slower still: from a speed that holds it goes up in
+  /// fine steps to the first that does not.
   double highest() const {
-    double fast = spindle.speed, slow = fast * kCoarse;
-    while (slow > kSlowest * spindle.speed && !at(slow).holds) {
-      fast = slow;
-      slow *= kCoarse;
-    }
+    double slow = spindle.speed * kCoarse;
+    while (slow > kSlowest * spindle.speed && !at(slow).holds) slow *= kCoarse;
     if (slow <= kSlowest * spindle.speed) return 0.0;
+    double fast = slow * kFine;
+    while (fast < spindle.speed && at(fast).holds) {
+      slow = fast;
+      fast *= kFine;
+    }
+    fast = std::min(fast, spindle.speed);
     for (int i = 0; i < kBisections; ++i) {
       const double middle = 0.5 * (slow + fast);
       (at(middle).holds ? slow : fast) = middle;
