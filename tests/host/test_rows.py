@@ -95,6 +95,40 @@ class BestSpeed(WithMachines):
         operation.ToolController.SpindleSpeed = found.best.rpm
         self.assertEqual(patchmill.recompute(operation).pacing.verdict.holding, "holds")
 
+    def test_what_the_verdict_refuses_is_not_proposed(self):
+        """At 2900 rpm a tooth passes in ten servo periods, whatever the model says of the phase."""
+        _, _, operation = locked_job()
+        patchmill.recompute(operation)
+        (point,) = patchmill.best_speed(operation, speeds=[2900]).curve
+        self.assertFalse(point.holds)
+        self.assertTrue(point.trouble)
+
+    def test_orders_side_by_side(self):
+        _, _, operation = locked_job()
+        patchmill.recompute(operation)
+        found = patchmill.best_speed(operation, speeds=[1000], orders=("Helix", "Rows"))
+        helix, rows = found.curve
+        self.assertEqual((helix.order, rows.order), ("Helix", "Rows"))
+        self.assertEqual(found.best.order, "Rows")
+        self.assertLess(rows.seconds, helix.seconds)
+        operation.Order = "Rows"
+        seconds = patchmill.recompute(operation).path.statistics()["timed_seconds"]
+        self.assertAlmostEqual(rows.seconds, seconds, 6)
+        self.assert_refused("Order", patchmill.best_speed, operation, [1000], ("Spiral",))
+        self.assert_refused("ExtraTurns", patchmill.best_speed, operation, [1000], None, (5.0,))
+        self.assert_refused("Feed", patchmill.best_speed, operation, [1000], None, None, (400.0,))
+
+    def test_extra_turns_and_feed_of_polygons(self):
+        _, _, operation = locked_job(strategy="Constant feed, fitted stops")
+        operation.ExtraTurns = 5.0
+        patchmill.recompute(operation)
+        found = patchmill.best_speed(operation, speeds=[1000], extra_turns=(5.0, 6.0), feeds=(400.0, 434.413))
+        self.assertEqual(
+            [(point.extra_turns, point.feed) for point in found.curve],
+            [(5.0, 400.0), (5.0, 434.413), (6.0, 400.0), (6.0, 434.413)],
+        )
+        self.assertLess(found.curve[0].turns, found.curve[2].turns)
+
     def test_needs_a_machine(self):
         _, _, operation = locked_job(machine="", strategy="Constant feed")
         operation.SameFlute, operation.ExtraTurns = True, 5.0

@@ -1,17 +1,21 @@
-"""Time and phase error of a texture over the spindle's speed, and the speed that is done first and holds.
+"""Time and phase error of a texture over the spindle's speed, and over order, extra turns and feed, and the
+point that is done first and holds.
 
     found = patchmill.best_speed(operation)
     found.best.rpm, found.best.seconds          # None where no speed holds
     for point in found.curve: ...
+    patchmill.best_speed(operation, orders=("Helix", "Rows"))
+    patchmill.best_speed(operation, extra_turns=(4.0, 5.0), feeds=(300.0, 434.413))   # constant feed, mm/min
 
 Nothing is changed: the speed of a tool controller is the user's. A point that is proposed was planned and
-predicted at that speed.
+judged at that speed, by the verdict that the operation itself would get.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from dataclasses import dataclass, field
-from math import degrees, isfinite
+from dataclasses import dataclass, field, replace
+from itertools import product
+from math import degrees, radians
 
 import _patchmill as core
 import numpy as np
@@ -19,17 +23,17 @@ from _patchmill import InputError
 
 from patchmill.operations.base import planned
 from patchmill.textures import strategies
-from patchmill.textures.plan import PlannedTexture
+from patchmill.textures.order import rows
+from patchmill.textures.plan import PlannedTexture, plan_texture
 
-# what a plan must hold, as the verdict of the core has it [degrees]
-RMS, LARGEST = 3.0, 9.0
 SLOWEST, FASTEST, STEP = 0.25, 4.0, 1.15  # of the speed that is set
 
 
 @dataclass
 class SpeedPoint:
-    """A speed [rpm]: seconds of the timed moves, turns per dimple, phase error [degrees]. `trouble` says why
-    there is no plan, or why its phase is not known."""
+    """A speed [rpm], an order, extra turns and a feed [mm/min; NaN where each move has its own]: seconds of
+    the timed moves, turns per dimple, phase error [degrees]. `trouble` says why there is no plan, why its
+    phase is not known, or why it does not hold."""
 
     rpm: int
     seconds: float = float("nan")
@@ -38,6 +42,9 @@ class SpeedPoint:
     largest: float = float("nan")
     holds: bool = False
     trouble: str = ""
+    order: str = rows.HELIX
+    extra_turns: float = 0.0
+    feed: float = float("nan")
 
 
 @dataclass
@@ -48,18 +55,19 @@ class BestSpeed:
     best: SpeedPoint = None
 
 
-def best_speed(operation, speeds=None, progress=None):
+def best_speed(operation, speeds=None, orders=None, extra_turns=None, feeds=None, progress=None):
     """BestSpeed of a texture operation on its machine. `speeds`: whole rpm to try; None: from a fourth of the
-    speed that is set to four times it. None if `progress` (share -> bool) returned False. Raises InputError
-    naming Machine, Form or Speeds."""
+    speed that is set to four times it. `orders`, `extra_turns`, `feeds` [mm/min]: what else to try; None: the
+    operation's own. None if `progress` (share -> bool) returned False. Raises InputError naming Machine,
+    Form, Speeds, Order, ExtraTurns or Feed."""
     plan = planned(operation)
     if not isinstance(plan, PlannedTexture):
         label = getattr(operation, "Label", repr(operation))
         raise InputError("Operation", label, "choose a texture operation.")
-    return of_plan(plan, speeds, progress)
+    return of_plan(plan, speeds, orders, extra_turns, feeds, progress)
 
 
-def of_plan(plan, speeds=None, progress=None):
+def of_plan(plan, speeds=None, orders=None, extra_turns=None, feeds=None, progress=None):
     """The same of a PlannedTexture, without a document."""
     if plan.machine is None:
         remedy = "name a machine file: without one nobody knows what it can follow."
@@ -67,15 +75,62 @@ def of_plan(plan, speeds=None, progress=None):
     if plan.free is not None:
         remedy = "the free form has its spindle speed from the feed per tooth."
         raise InputError("Form", "Free", remedy)
-    tried = _speeds(plan, speeds)
+    given = plan.input
+    choices = list(
+        product(
+            _speeds(plan, speeds),
+            _known_orders(given, orders),
+            _numbers("ExtraTurns", extra_turns, given.extra_turns, _polygons(given)),
+            _numbers("Feed", feeds, 60.0 * given.feed, _polygons(given)),
+        )
+    )
+    plans = {}
     found = BestSpeed()
-    for number, rpm in enumerate(tried):
-        if progress and not progress(number / len(tried)):
+    for number, (rpm, order, extra, feed) in enumerate(choices):
+        if progress and not progress(number / len(choices)):
             return None
-        found.curve.append(_at(plan, rpm))
+        if order not in plans:
+            plans[order] = _in_order(plan, order)
+        point = SpeedPoint(rpm, order=order, extra_turns=extra, feed=feed)
+        found.curve.append(_at(plans[order], point))
     held = [point for point in found.curve if point.holds]
     found.best = min(held, key=lambda point: point.seconds, default=None)
     return found
+
+
+def _polygons(given):
+    """Whether the strategy has a feed and extra turns: on paced paths each move has its own feed."""
+    return given.strategy in (strategies.CONSTANT, strategies.FITTED)
+
+
+def _known_orders(given, orders):
+    if orders is None:
+        return [given.order]
+    for order in orders:
+        rows.in_rows(replace(given, order=order))  # refuses what is no order
+    return list(dict.fromkeys(orders))
+
+
+def _numbers(name, values, own, there):
+    """`values` in ascending order, or the operation's own where none are given."""
+    if values is None:
+        return [own]
+    if not there:
+        raise InputError(name, values, "the strategy has none to choose: leave it out.")
+    values = sorted({float(value) for value in values})
+    if not values or not np.isfinite(values).all() or values[0] < 0.0:
+        raise InputError(name, values, "give numbers of zero or more.")
+    return values
+
+
+def _in_order(plan, order):
+    """The plan in another order, or the InputError why there is none."""
+    if order == plan.input.order:
+        return plan
+    try:
+        return plan_texture(replace(plan.asked or plan.input, order=order))
+    except InputError as error:
+        return error
 
 
 def _speeds(plan, speeds):
@@ -90,23 +145,51 @@ def _speeds(plan, speeds):
     return speeds
 
 
-def _at(plan, rpm):
-    """SpeedPoint of one speed."""
-    point = SpeedPoint(rpm)
-    given = plan.input
-    spindle = core.Spindle(rpm / 60.0, "M3" if given.spindle.sign < 0 else "M4")
+def _at(plan, point):
+    """The point, with what comes of it."""
+    if isinstance(plan, InputError):
+        return replace(point, trouble=str(plan))
+    given, rule, feed = plan.input, plan.rule, point.feed
+    if _polygons(given):
+        given = replace(given, feed=feed / 60.0)
+        if point.extra_turns != given.extra_turns:
+            rule = core.PhaseRule(given.same_flute, point.extra_turns, radians(given.phase_step))
+            if plan.posture is not None:
+                rule = core.with_azimuths(rule, plan.posture.postures)
+    else:
+        point = replace(point, feed=float("nan"))
+    spindle = core.Spindle(point.rpm / 60.0, "M3" if given.spindle.sign < 0 else "M4")
     try:
-        path = strategies.path_at(given, plan.dimples, plan.rule, plan.machine, spindle, plan.posture)
-        phase = core.predicted_phase(path, plan.machine.model, plan.dimples, plan.rule)
+        path = strategies.path_at(given, plan.dimples, rule, plan.machine, spindle, plan.posture)
+        verdict = _verdict_of(path, plan, rule, spindle)
     except InputError as error:
-        point.trouble = str(error)
-        return point
+        return replace(point, trouble=str(error))
     statistics = path.statistics()
-    point.seconds = statistics["timed_seconds"]
-    point.turns = point.seconds * spindle.speed / max(1, statistics["dimples"])
-    if not phase["known"]:
-        point.trouble = phase["reason"]
-        return point
-    point.rms, point.largest = degrees(phase["rms"]), degrees(phase["largest"])
-    point.holds = isfinite(point.largest) and point.rms <= RMS and point.largest <= LARGEST
-    return point
+    seconds = statistics["timed_seconds"]
+    return replace(
+        point,
+        seconds=seconds,
+        turns=seconds * spindle.speed / max(1, statistics["dimples"]),
+        rms=degrees(verdict.rms) if verdict.holding != "unknown" else float("nan"),
+        largest=degrees(verdict.largest) if verdict.holding != "unknown" else float("nan"),
+        holds=verdict.holding == "holds",
+        trouble=_trouble(verdict),
+    )
+
+
+def _trouble(verdict):
+    """Why it does not hold; no slower spindle was looked for."""
+    if verdict.holding == "holds":
+        return ""
+    return verdict.sentence.replace(", and no slower spindle helps", "")
+
+
+def _verdict_of(path, plan, rule, spindle):
+    """The core's verdict on this path alone: no slower spindle is looked for."""
+
+    def this_one(asked):
+        if abs(asked.speed - spindle.speed) > 1e-9 * spindle.speed:
+            raise InputError("SpindleSpeed", asked.speed, "this speed alone is judged.")
+        return path
+
+    return core.judge_plan(this_one, plan.dimples, plan.input.tool, spindle, rule, plan.machine.model)
