@@ -2,11 +2,13 @@
 // and beside it where the tool tip is at each dimple and the surface's normal there.
 //     make_five_axis MACHINE FORM ACCELERATION VELOCITY OUT [key=value ...]
 // MACHINE: ac | bc. FORM: tcp | pivot. Keys: strategy (locked, feed, constant), lead, towards (x or feed),
-// ball (1: the ball centre is programmed), side, patches, extra. The machine's axes are off its zero by the
-// numbers that the harness gives LinuxCNC. Prints one line of key=value.
+// ball (1: the ball centre is programmed), side, patches (64: the whole face), extra, rows (1: in rows),
+// row_tolerance [degrees]. The machine's axes are off its zero by the numbers that the harness gives LinuxCNC.
+// Prints one line of key=value.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/programmed_path.h"
 #include "patchmill/gcode/rs274_text.h"
+#include "patchmill/machine/predict_motion.h"
 #include "patchmill/sync/constant_feed.h"
 #include "patchmill/sync/paced_path.h"
 #include "patchmill/sync/postures.h"
@@ -61,6 +63,7 @@ ToolPath plan(const Options& options, const patch::Dimples& dimples,
   rule.pace = strategy == "locked" ? Pace::SpindleLocked : Pace::Feed;
   rule.phase.azimuths = azimuths;
   if (rule.pace == Pace::SpindleLocked) rule.turning = turning;
+  rule.rows = options.number("rows", 0.0) > 0.0;
   rule.safe_height = 30.0;
   rule.clearance_height = 32.0;
   return sync::paced_path(dimples, kTool, spindle, rule, model, kDecimals).path;
@@ -98,6 +101,16 @@ void write(const patch::Dimples& dimples, const machine::PosturePath& work,
   }
 }
 
+// As the motion model has it, from the first dimple to the last; NaN if it is not known.
+double turns_per_dimple(const ToolPath& path, const machine::MotionModel& model) {
+  const machine::Prediction prediction = machine::predict(path, model);
+  if (!prediction.known) return std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> turns;
+  for (std::size_t i = 0; i < path.moves.size(); ++i)
+    if (path.moves[i].dimple != kNoDimple) turns.push_back(prediction.ends[i].turns);
+  return (turns.back() - turns.front()) / static_cast<double>(turns.size() - 1);
+}
+
 void run(int argc, char** argv) {
   const Options options(argc, argv, 6);
   const machine::MotionModel model = locked_model(argv[3], argv[4]);
@@ -107,8 +120,8 @@ void run(int argc, char** argv) {
   form.chord_clear = options.number("clear", 0.05);
   form.reference = options.number("ball", 0.0) > 0.0 ? gcode::ReferencePoint::BallCentre
                                                      : gcode::ReferencePoint::Tip;
-  const patch::Dimples dimples = corner_dimples(static_cast<int>(options.number("side", 14)),
-                                                static_cast<int>(options.number("patches", 1)));
+  const patch::Dimples dimples =
+      dimples_of(options, static_cast<int>(options.number("patches", 1)));
   sync::ToolAxisRule rule;
   rule.mode = sync::ToolAxisMode::Normal;
   rule.lead = Angle::degrees(options.number("lead", 15.0));
@@ -116,7 +129,7 @@ void run(int argc, char** argv) {
   const machine::Kinematics machine = machine_of(argv[1]);
   std::vector<Vec3> axes = sync::tool_axes(dimples, rule);
   if (options.word("strategy", "locked") == "locked")
-    axes = sync::axes_by_row(dimples, axes, Angle::degrees(options.number("rows", 10.0)));
+    axes = sync::axes_by_row(dimples, axes, Angle::degrees(options.number("row_tolerance", 10.0)));
   const sync::PosturePlan postures = sync::plan_postures(machine, dimples, axes, kDecimals);
   if (!postures.complete) throw InputError("ToolAxis", "not reached", postures.reason);
   const ToolPath vertical =
@@ -133,9 +146,11 @@ void run(int argc, char** argv) {
       low[k] = std::min(low[k], Angle::radians(q[k]).degrees());
       high[k] = std::max(high[k], Angle::radians(q[k]).degrees());
     }
-  std::cout << fmt::format("moves={} told={} C={:.3f}..{:.3f} tilting={:.3f}..{:.3f}\n",
-                           work.path.moves.size(), told.path.moves.size(), low[0], high[0], low[1],
-                           high[1]);
+  std::cout << fmt::format(
+      "moves={} told={} C={:.3f}..{:.3f} tilting={:.3f}..{:.3f} "
+      "predicted_turns_per_dimple={:.4f}\n",
+      work.path.moves.size(), told.path.moves.size(), low[0], high[0], low[1], high[1],
+      turns_per_dimple(vertical, model));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ foreach(PROGRAM make_program make_five_axis)
   target_link_libraries(${PROGRAM} PRIVATE patchmill_core)
 endforeach()
 
-foreach(GROUP SpindleLocked ConstantFeed Calibration Harness LoadOrFault)
+foreach(GROUP SpindleLocked Prediction ConstantFeed Calibration Harness LoadOrFault)
   add_test(NAME controller.synchronisation.${GROUP}
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/synchronisation_test.py ${GROUP})
   set_tests_properties(controller.synchronisation.${GROUP} PROPERTIES LABELS controller RUN_SERIAL ON TIMEOUT 900 SKIP_RETURN_CODE 77

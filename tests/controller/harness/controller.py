@@ -11,6 +11,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import dataclasses
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -22,6 +23,8 @@ from . import load, table
 
 HERE = pathlib.Path(__file__).resolve().parent
 NOBODY = 65534
+MOVE = re.compile(r'\s*(N\d+\s*)?(G0?[0-3]|G33)\b.*[XYZ]', re.ASCII)
+SHORT = 10  # lines at a program's end that may be too short for a log
 
 
 class ControllerError(RuntimeError):
@@ -172,6 +175,20 @@ def read_samples(path, machine):
     return Log(time, tip, turns, samples[:, 5], starved, joints, rotary)
 
 
+def last_move(program):
+    """Number of the last line of a program that moves the tool, counted from 1; 0 if none does."""
+    with open(program, encoding='utf-8') as file:
+        return max((number for number, line in enumerate(file, 1) if MOVE.match(line)), default=0)
+
+
+def require_whole(log, program):
+    """Raises TooFast if the log ends before the program: a motion queue that runs empty in the middle, with
+    the tool at rest, looks like the program's end."""
+    last = last_move(program)
+    if log.line.max() < last - SHORT:
+        raise TooFast('it ended at line %d of %d' % (log.line.max(), last))
+
+
 def end(child):
     """Kills the first process of the run's namespace; the kernel then ends the others. (The signal
     that unshare asks for at its own death is lost when setpriv changes the user.)"""
@@ -209,7 +226,9 @@ def run_once(program, machine, rate, limit):
             tail = output.read_text(errors='replace')[-1500:]
             refused = words.startswith('error')
             raise (ControllerError if refused else TooFast)('%s\n%s' % (words, tail))
-        return read_samples(folder / 'samples.txt', machine)
+        log = read_samples(folder / 'samples.txt', machine)
+        require_whole(log, program)
+        return log
 
 
 def run(program, machine=None, rate=20.0, limit=120.0, stops=1):

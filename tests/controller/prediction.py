@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+"""What the motion model says of a lock beside what LinuxCNC's planner does, over many machines and textures.
+
+    MAKE_PROGRAM=build/tests/controller/make_program tests/controller/prediction.py [random|faces] [LOGS]
+
+Prints a table of docs/rows.md: without a word the cases that it names, with `random` twenty random ones, with
+`faces` the whole face of Table 1, which takes minutes. Logs are kept in the folder LOGS, so that a program
+that has not changed is not run again.
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+import dataclasses
+import pathlib
+import random
+import subprocess
+import sys
+
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from harness import controller  # noqa: E402
+from harness.case import Case, run  # noqa: E402
+
+FACTOR = 1.5             # that prediction and log may differ by, either way
+RMS, LARGEST = 3.0, 9.0  # degrees: PhaseLimits of the core
+TOOTH = 11               # servo periods: a lock of fewer for a tooth is not said to hold
+MISS = 2e-3              # mm: how near the path passes to every dimple
+LEANED = {'ax': 0.55, 'ay': 0.3, 'az': 0.8}
+WIDE = {'radius': 1.5, 'flutes': 3, 'rpm': 1200, 'spacing': 0.6, 'side': 9}
+STEEP = {'radius': 2, 'rpm': 3000, 'spacing': 0.8, 'side': 12, 'triangle': 1}
+
+
+def named():
+    """(name, Case) of single patches and of the small cases in docs/rows.md."""
+    for acceleration in (500, 2000, 10000):
+        yield 'a patch of 14 x 14', Case('locked', acceleration)
+    yield 'R 1.5, N 3, two patches of 9', Case('locked', 1000, 150, 2, options=WIDE)
+    yield 'R 1.5, N 3, two patches of 9', Case('locked', 1000, 150, 2, options=dict(WIDE, rows=1))
+    yield 'R 2, a triangle of 12', Case('locked', 8000, 300, 1, options=STEEP)
+    yield 'R 2, a triangle of 12', Case('locked', 8000, 300, 1, options=dict(STEEP, rows=1))
+
+
+def faces():
+    """(name, Case) of the whole face of Table 1."""
+    for acceleration in (500, 2000, 10000):
+        yield 'leaned', Case('locked', acceleration, 100, 64, options=dict(LEANED, rows=1))
+    for rpm in (2000, 2700):
+        yield 'leaned', Case('locked', 10000, 100, 64, options=dict(LEANED, rows=1, rpm=rpm))
+    for acceleration in (500, 2000, 10000):
+        yield 'upright', Case('locked', acceleration, 100, 64, options={'rows': 1})
+    yield 'leaned', Case('locked', 2000, 100, 64, options=LEANED)
+
+
+def drawn(count=20, seed=2016):
+    """(name, Case) of random machines, tools, textures and corners of the face; the same every time."""
+    draw = random.Random(seed)
+    for number in range(count):
+        options = {
+            'radius': draw.choice([0.75, 1, 1.5, 2, 3]), 'flutes': draw.choice([2, 2, 3, 4]),
+            'rpm': draw.randrange(300, 2001, 50), 'spacing': round(draw.uniform(0.3, 0.9), 2),
+            'side': draw.randrange(8, 15), 'triangle': draw.randrange(2),
+            'x': round(draw.uniform(-27.5, 15), 1), 'y': round(draw.uniform(-27.5, 15), 1),
+            'rows': draw.randrange(2)}
+        acceleration = int(round(300 * (10000 / 300) ** draw.random(), -2))
+        velocity = draw.choice([50, 100, 150, 200, 300])
+        patches = draw.choice([1, 2])
+        yield 'random %d' % number, Case('locked', acceleration, velocity, patches, options=options)
+
+
+@dataclasses.dataclass
+class Finding:
+    """Phase errors [degrees], rms and largest, of the log and as predicted; how far the path is from a dimple
+    [mm]."""
+    log: tuple
+    predicted: tuple
+    miss: float
+    said_to_hold: bool
+    turns: float
+    seconds: float
+
+    def within(self, factor=FACTOR):
+        return all(a <= factor * b and b <= factor * a for a, b in zip(self.log, self.predicted))
+
+    def held(self):
+        return self.log[0] <= RMS and self.log[1] <= LARGEST
+
+    def wrongly(self):
+        """Whether a lock is said to hold that does not."""
+        return self.said_to_hold and not self.held()
+
+
+def finding(case, logs=None):
+    """Runs a case; None where there is no plan for it."""
+    try:
+        result = run(case, logs=logs, limit=300.0)
+    except subprocess.CalledProcessError:
+        return None
+    report, error = result.report, result.predicted_error
+    predicted = float(numpy.sqrt(numpy.mean(error ** 2))), float(abs(error).max())
+    tooth = 60.0 / float(case.options.get('rpm', 1000)) / case.flutes
+    holds = (predicted[0] <= RMS and predicted[1] <= LARGEST
+             and tooth >= TOOTH * case.machine().period * (1 - 1e-9))
+    return Finding((report.rms, report.largest), predicted, float(report.miss.max()), holds,
+                   report.turns_per_dimple, float(report.time[-1] - report.time[0]))
+
+
+def row(name, case, found):
+    option = case.options.get
+    what = '| %s, R %g, N %d, f %g, %s | %d | %d | %d | ' % (
+        name, case.radius, case.flutes, option('spacing', 0.5), 'rows' if option('rows') else 'helix',
+        case.acceleration, case.velocity, option('rpm', 1000))
+    if found is None:
+        return what + 'no plan | | | | |'
+    return what + '%.3f | %.2f / %.1f | %.2f / %.1f | %.2f | %s | %.1f |' % (
+        found.turns, *found.log, *found.predicted, 1e3 * found.miss,
+        ('yes' if found.said_to_hold else 'no') + (', wrongly' if found.wrongly() else ''), found.seconds)
+
+
+def main():
+    words = sys.argv[1:]
+    cases = {'random': drawn, 'faces': faces}.get(words[0] if words else '', named)
+    logs = next((word for word in words if word not in ('random', 'faces')), None)
+    print('| case | mm/s² | mm/s | S | turns per dimple | log | predicted | beside, µm | said to hold | s |')
+    print('| --- ' * 10 + '|')
+    outside, wrong = [], []
+    for name, case in cases():
+        try:
+            found = finding(case, logs)
+        except controller.TooFast as unknown:
+            print('%s: unknown: %s' % (name, unknown), file=sys.stderr)
+            continue
+        print(row(name, case, found), flush=True)
+        if found and not found.within():
+            outside.append(name)
+        if found and found.wrongly():
+            wrong.append(name)
+    print('\nOutside a factor of %g: %d (%s). Said to hold and do not: %d.' % (
+        FACTOR, len(outside), ', '.join(outside) or 'none', len(wrong)))
+
+
+if __name__ == '__main__':
+    main()
