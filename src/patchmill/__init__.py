@@ -46,6 +46,7 @@ _LAZY = {
     "simulate": ("patchmill.verify.simulation", "simulate"),
     "check": ("patchmill.verify.checks", "check"),
     "measured": ("patchmill.surface.files", "load"),
+    "measured_texture": ("patchmill.areal.measured_texture", "measured_texture"),
     "areal_parameters": ("patchmill.areal.parameters", "areal_parameters"),
     "write_report": ("patchmill.reports.report", "write_report"),
 }
