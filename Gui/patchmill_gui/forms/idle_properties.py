@@ -7,18 +7,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import _patchmill as core
 
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
+from patchmill.properties.texture_properties import PROPERTIES
 from patchmill.textures import strategies, tool_posture
 
-MASK = {
-    "MaskImage",
-    "MaskCurves",
-    "MaskInvert",
-    "MaskWidth",
-    "MaskCentre",
-    "MaskThreshold",
-    "DepthAtBlack",
-    "DepthAtWhite",
-}
+MASK = {row[1] for row in PROPERTIES if row[2] == "Mask"} - {"MaskUse"}
 POLYGONS = (strategies.CONSTANT, strategies.FITTED)
 
 

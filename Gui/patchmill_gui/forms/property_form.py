@@ -6,15 +6,13 @@ The table's rows are (type, name, group, tip, default); see patchmill.property_t
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import re
-
 from PySide import QtCore, QtGui
 
+from patchmill.properties.property_table import UNITS, label_of
 from patchmill.voxels import axis_field
 
 from patchmill_gui.forms.choice_rows import ChoiceRow, MachineRow, ObjectListRow, ObjectRow
 from patchmill_gui.forms.property_rows import (
-    KIND_OF,
     FileRow,
     FlagRow,
     LinesRow,
@@ -24,12 +22,6 @@ from patchmill_gui.forms.property_rows import (
     WholeRow,
 )
 from patchmill_gui.forms.widgets import ERROR_COLOUR, guard_editors, let_shrink
-
-
-def label_of(name):
-    """'PatchSide' -> 'Patch side'."""
-    words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
-    return words[:1] + words[1:].lower() if not words.endswith(("X", "Y")) else words
 
 
 class Group(QtGui.QWidget):
@@ -158,7 +150,7 @@ def row_for(kind, name, obj):
         return MachineRow(name, obj)
     if name == "PostureField":
         return ObjectRow(name, obj, axis_field.gives_field)
-    if kind in KIND_OF:
+    if kind in UNITS:
         return QuantityRow(name, obj, kind)
     if kind in ("App::PropertyInteger", "App::PropertyIntegerConstraint"):
         return WholeRow(name, obj)

@@ -6,18 +6,11 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import FreeCAD
 import FreeCADGui
+from patchmill.properties.property_table import UNITS
 from PySide import QtGui
 
 from patchmill_gui.fields.number_box import NumberBox
 from patchmill_gui.fields.quantity_entry import QuantityEntry
-
-KIND_OF = {
-    "App::PropertyLength": "mm",
-    "App::PropertyDistance": "mm",
-    "App::PropertyAngle": "deg",
-    "App::PropertySpeed": "mm/s",
-    "App::PropertyFloat": "",
-}
 
 
 class Row:
@@ -46,7 +39,7 @@ def assign(obj, name, value):
 class QuantityRow(Row):
     def __init__(self, name, obj, type_name):
         editor = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        self.entry = QuantityEntry(editor, KIND_OF[type_name], type_name == "App::PropertyLength")
+        self.entry = QuantityEntry(editor, UNITS[type_name], type_name == "App::PropertyLength")
         editor.setProperty("binding", "%s.%s" % (obj.Name, name))
         self.name = name
         super().__init__(editor, self.entry.edited)

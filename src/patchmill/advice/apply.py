@@ -8,16 +8,7 @@ import FreeCAD
 from FreeCAD import Placement, Rotation, Vector
 
 from patchmill.freecad import host
-
-PROPERTIES = {
-    "strategy": "Strategy",
-    "same_flute": "SameFlute",
-    "extra_turns": "ExtraTurns",
-    "minimum_tilt": "MinimumTilt",
-    "tool_axis_mode": "ToolAxisMode",
-    "fixed_axis": "FixedAxis",
-    "order": "Order",
-}
+from patchmill.properties.property_table import property_of
 
 
 def others_of(obj):
@@ -34,7 +25,7 @@ def feed_is_free(obj):
 def set_fields(obj, fields, feed_factor=1.0):
     """Gives the operation the values of TextureInput's fields; those that it has stay untouched."""
     for name, value in fields.items():
-        own = PROPERTIES[name]
+        own = property_of(name)
         value = Vector(*value) if isinstance(value, tuple) else value
         if getattr(obj, own) != value:
             setattr(obj, own, value)

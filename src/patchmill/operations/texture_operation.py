@@ -7,7 +7,6 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
-import re
 from dataclasses import dataclass, fields
 
 import FreeCAD
@@ -20,6 +19,7 @@ from patchmill.geometry import shapes
 from patchmill.operations.base import BallEndOperation
 from patchmill.operations.base import planned, recompute  # noqa: F401  for macros
 from patchmill.path.read_text import path_of
+from patchmill.properties.property_table import field_of
 from patchmill.properties.texture_properties import PROPERTIES
 from patchmill.properties.texture_results import RESULTS, show_results
 from patchmill.textures.masks import MaskInput, curve_loops
@@ -123,7 +123,7 @@ class ObjectTexture(BallEndOperation):
 def _values(obj, properties):
     """The fields of TextureInput that are a property's value, by the property's name in snake_case;
     lengths in mm, angles in degrees."""
-    names = {re.sub(r"(?<!^)([A-Z])", r"_\1", name).lower(): name for _, name, _, _, _ in properties}
+    names = {field_of(name): name for _, name, _, _, _ in properties}
     names.update(safe_height="SafeHeight", clearance_height="ClearanceHeight")
     for name in ("origin", "posture_field"):
         names.pop(name)

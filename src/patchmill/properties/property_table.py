@@ -1,4 +1,5 @@
-"""Tables of FreeCAD properties: what documents, panels and setup sheets are made from.
+"""Tables of FreeCAD properties: what documents, panels, setup sheets and docs/properties.md are made from,
+and what a property is called in each of them.
 
 A row is (type, name, group, tip, default); that of a result, which only shows, has no default. The default of
 an enumeration is the list of its choices, of which the first is taken.
@@ -6,14 +7,40 @@ an enumeration is the list of its choices, of which the first is taken.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import re
+
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 
 ENUMERATION = "App::PropertyEnumeration"
+# FreeCAD's own unit of those types that a number with a unit is typed in for
+UNITS = {
+    "App::PropertyLength": "mm",
+    "App::PropertyDistance": "mm",
+    "App::PropertyAngle": "deg",
+    "App::PropertySpeed": "mm/s",
+    "App::PropertyFloat": "",
+}
 # What a job's setup sheet can hold defaults for; FreeCAD knows no others there.
 _SETUP_KINDS = {
     "App::Property" + kind
     for kind in ("Angle", "Bool", "Distance", "Enumeration", "Float", "Integer", "Length", "String")
 }
+
+
+def label_of(name):
+    """What a panel calls a property: 'PatchSide' -> 'Patch side'."""
+    words = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
+    return words[:1] + words[1:].lower() if not words.endswith(("X", "Y")) else words
+
+
+def field_of(name):
+    """What the field of a dataclass is called that holds a property's value: 'PatchSide' -> 'patch_side'."""
+    return re.sub(r"(?<!^)([A-Z])", r"_\1", name).lower()
+
+
+def property_of(field):
+    """The inverse of field_of."""
+    return "".join(word.capitalize() for word in field.split("_"))
 
 
 def add(obj, properties, results=()):
