@@ -11,7 +11,6 @@ from patchmill.properties.texture_properties import PROPERTIES
 from patchmill.textures import strategies, tool_posture
 
 MASK = {row[1] for row in PROPERTIES if row[2] == "Mask"} - {"MaskUse"}
-POLYGONS = (strategies.CONSTANT, strategies.FITTED)
 
 
 def _mask(obj):
@@ -42,7 +41,7 @@ def _axis(obj):
     always = {"ToolAxisMode", "WidestTilt", "RowTolerance", "ProgramForm", "GaugeLength"}
     if obj.ToolAxisMode == fixed:
         always -= {"WidestTilt", "RowTolerance"}
-    if obj.Strategy != strategies.LOCKED:
+    if not strategies.of(obj.Strategy).locked:
         always.discard("RowTolerance")
     return {row[1] for row in AXIS_PROPERTIES} - used - always
 
@@ -67,7 +66,7 @@ def idle_properties(obj):
         idle.add("Direction")
     if obj.TextureKind == "Overlapping":
         idle.add("AreaShare")
-    idle.add("ExtraTurns" if obj.Strategy not in POLYGONS else "Lift")
+    idle.add("ExtraTurns" if not strategies.of(obj.Strategy).polygons else "Lift")
     return idle
 
 

@@ -19,7 +19,6 @@ from patchmill_gui.work.background import Background
 
 assess = assessment.with_simulation(simulate)
 choose = partial(choice.choose, assess)
-PACED = (strategies.FEED, strategies.LOCKED)
 
 
 class Advising(QtCore.QObject):
@@ -148,14 +147,15 @@ class Advising(QtCore.QObject):
         if obj.Strategy == before:
             return False
         self.notes = []
-        if obj.Strategy in PACED and before not in PACED:
+        polygons, before_polygons = (strategies.of(name).polygons for name in (obj.Strategy, before))
+        if before_polygons and not polygons:
             self._before = (obj.SameFlute, obj.ExtraTurns)
             if not obj.SameFlute and obj.ExtraTurns == 0.0:
                 return False
             obj.SameFlute, obj.ExtraTurns = False, 0.0
             self.notes = [translate("Set for this strategy: any flute, no extra turns.")]
             return True
-        if obj.Strategy not in PACED and before in PACED:
+        if polygons and not before_polygons:
             same, turns = self._before or (obj.ToolController.Tool.Flutes < 2, 1.0)
             obj.SameFlute, obj.ExtraTurns = same, turns or 1.0
             return True

@@ -89,7 +89,7 @@ def _good_but_where_flat(patches):
 def _can_be_planned(given):
     """Whether the whole texture can be planned, and its phase holds. Polygons go from patch to patch as they
     go within one: for them the patches that were looked at say it."""
-    if given.strategy in (strategies.CONSTANT, strategies.FITTED):
+    if given.keeps_phase.polygons:
         return True
     try:
         return plan_texture(given).pacing.verdict.holding == "holds"

@@ -118,7 +118,7 @@ def _check_calibration(plan):
     """A start phase that was found with another controller, or at a speed where it is another one, is not
     posted."""
     given = plan.input
-    if plan.machine is None or given.calibrating or given.strategy != strategies.LOCKED:
+    if plan.machine is None or given.calibrating or not given.keeps_phase.locked:
         return
     calibrated.require(plan.machine, given.spindle, given.spacing, given.tool.flutes)
 
@@ -165,7 +165,7 @@ def _check_post(post_name, plans, tilted):
     needs = {
         "rotary": bool(angles),
         "turning_far": any(np.abs(a).max() > 360.0 for a in angles),
-        "locked": any(p.input.strategy == strategies.LOCKED for p in plans),
+        "locked": any(strategies.of(p.input.strategy).locked for p in plans),
         "inverse": any("G93" in str(p.pacing.text) for p in plans if p.posture is not None)
         or bool(tilted),
     }

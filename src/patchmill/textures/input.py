@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 
 import _patchmill as core
 
-from patchmill.textures import masks, strategies
+from patchmill.textures import masks
+from patchmill.textures.order import rows
+from patchmill.textures.strategy import table
 
 
 @dataclass
@@ -55,7 +57,7 @@ class TextureInput:
     extra_turns: float = 5.0
     phase_step: float = 0.0
     decimals: int = 3
-    strategy: str = strategies.CONSTANT
+    strategy: str = table.NAMES[0]
     machine: str = ""  # key of a machine file; '' for none
     lift: float = 0.1  # clearance of paced paths between rows [mm]
     tool_axis_mode: str = "Fixed"  # see patchmill.tool_posture
@@ -76,3 +78,13 @@ class TextureInput:
     feed_per_tooth: float = 0.0
     plane_fit: str = "Best fit"
     calibrating: bool = False  # the machine's start phase is being looked for, not applied
+
+    @property
+    def rows_across_patches(self):
+        """Whether rows go on from patch to patch."""
+        return rows.across_patches(self)
+
+    @property
+    def keeps_phase(self):
+        """The Strategy of its name. Raises InputError naming Strategy."""
+        return table.of(self.strategy)

@@ -14,7 +14,6 @@ from _patchmill import InputError
 VERTICAL = (0.0, 0.0, 1.0)
 MODES = ("Fixed", "Normal", "Minimum lead", "Field")
 FORMS = ("As the machine", "With TCP", "Without TCP")
-LOCKED = "Spindle-locked"
 
 
 @dataclass
@@ -66,9 +65,7 @@ def axes(given, dimples):
         smoothing=radians(given.axis_smoothing),
         widest=radians(given.widest_tilt),
     )
-    if given.strategy == LOCKED:
-        found = core.axes_by_row(dimples, found, radians(given.row_tolerance))
-    return found
+    return given.keeps_phase.tool_axes(given, dimples, found)
 
 
 def program_form(machine, name, gauge_length, chord_clear):
@@ -96,9 +93,7 @@ def plan(given, dimples, machine):
     form, reference = program_form(machine, given.program_form, given.gauge_length, 0.5 * given.lift)
     kinematics = core.with_tool(machine.kinematics, given.gauge_length, form, given.tool)
     postures = core.plan_postures(kinematics, dimples, axes(given, dimples), given.decimals)
-    turning = []
-    if given.strategy == LOCKED:
-        turning = core.turning_seconds(kinematics, dimples, postures, given.tool, machine.model, form)
+    turning = given.keeps_phase.turning_seconds(kinematics, dimples, postures, given, machine, form)
     return Posture(kinematics, form, reference, postures, turning)
 
 

@@ -100,7 +100,7 @@ def of_plan(plan, speeds=None, orders=None, extra_turns=None, feeds=None, progre
 
 def _polygons(given):
     """Whether the strategy has a feed and extra turns: on paced paths each move has its own feed."""
-    return given.strategy in (strategies.CONSTANT, strategies.FITTED)
+    return given.keeps_phase.polygons
 
 
 def _known_orders(given, orders):

@@ -77,7 +77,7 @@ def find(operation, plan, told, program, after):
 
 def _errors(op, plan, path):
     """Phase errors of what was read back. Raises InputError if they, or the paces, are not the plan's."""
-    if plan.input.strategy != strategies.CONSTANT:
+    if not strategies.of(plan.input.strategy).phase_in_text:
         _check_paces(op, plan, path)
         return plan.predicted_errors()
     errors = plan.phase_errors(path)
