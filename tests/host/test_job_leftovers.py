@@ -50,6 +50,8 @@ class Flutes(WithDocuments):
         with self.assertRaises(patchmill.InputError) as caught:
             patchmill.recompute(operation)
         self.assertEqual(caught.exception.property, "Flutes")
+        self.assertIn("proposed: 2", str(caught.exception))
+        self.assertIn(operation.ToolController.Tool.Label, str(caught.exception))
 
 
 if __name__ == "__main__":

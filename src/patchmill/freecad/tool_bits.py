@@ -5,6 +5,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import json
 
+PROPOSED_FLUTES = 2  # of a ball end mill that does not say how many it has
+
 
 def flutes_said(bit):
     """Whether somebody has said how many flutes a tool bit has. FreeCAD 1.1 gives a bit whose library does

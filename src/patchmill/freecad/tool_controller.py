@@ -81,6 +81,16 @@ def flutes(bit):
     return max(1, int(getattr(bit, "Flutes", 1)))
 
 
+def require_flutes(controller):
+    """Raises InputError naming Flutes, with what is proposed, if the tool bit does not say how many it has:
+    those of FreeCAD's own library do not."""
+    bit = controller.Tool
+    said = int(getattr(bit, "Flutes", 0))
+    if said < 1:
+        remedy = "set Flutes of %s to what the tool has; proposed: %d, as most ball end mills have."
+        raise InputError("Flutes", said, remedy % (bit.Label, tool_bits.PROPOSED_FLUTES))
+
+
 def warn_of_unsaid_flutes(controller):
     """Says so in the report view if the number of flutes is nobody's: every dimple depends on it."""
     bit = controller.Tool

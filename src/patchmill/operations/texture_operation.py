@@ -176,7 +176,5 @@ def _face_breps(obj):
 
 def _tool(controller):
     tool_controller.require_ball_end(controller, "textures are milled with a ball end mill: choose one.")
-    flutes = int(getattr(controller.Tool, "Flutes", 0))
-    if flutes < 1:
-        raise InputError("Flutes", flutes, "set the number of flutes of the tool bit.")
-    return core.BallEndMill(float(controller.Tool.Diameter) / 2.0, flutes)
+    tool_controller.require_flutes(controller)
+    return tool_controller.cutter(controller)
