@@ -4,6 +4,7 @@
 
 #include "patchmill/geometry/error.h"
 #include "patchmill/sync/contact_azimuth.h"
+#include "patchmill/sync/tool_axis.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -82,6 +83,21 @@ TEST(PhaseRule, CalibrationStepAddsUp) {
   EXPECT_NEAR(wanted[3].degrees(), 2.0, 1e-12);
 }
 
+TEST(ToolTip, FacesThatLookAwayFromTheToolAreUndercut) {
+  const auto at = [](double degrees) { return Angle::degrees(degrees); };
+  EXPECT_EQ(state_of_tilt(at(1.0), at(1.0)), patch::DimpleState::Cut);
+  EXPECT_EQ(state_of_tilt(at(0.999), at(1.0)), patch::DimpleState::ToolTip);
+  EXPECT_EQ(state_of_tilt(at(89.999), at(1.0)), patch::DimpleState::Cut);
+  EXPECT_EQ(state_of_tilt(at(90.0), at(1.0)), patch::DimpleState::Undercut);
+  patch::Dimples dimples(2);
+  for (patch::Dimple& dimple : dimples) dimple.surface.normal = Vec3::UnitZ();
+  mark_tool_tip(dimples,
+                std::vector<Vec3>{Vec3(1, 0, -0.01).normalized(), Vec3(1, 0, 1).normalized()},
+                at(1.0));
+  EXPECT_EQ(dimples[0].state, patch::DimpleState::Undercut);
+  EXPECT_EQ(dimples[1].state, patch::DimpleState::Cut);
+}
+
 TEST(ToolTip, IsMarkedWithinTheLimit) {
   patch::Dimples dimples(3);
   dimples[0].surface.normal = Vec3::UnitZ();
@@ -90,7 +106,7 @@ TEST(ToolTip, IsMarkedWithinTheLimit) {
   mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
   EXPECT_EQ(dimples[0].state, patch::DimpleState::ToolTip);
   EXPECT_EQ(dimples[1].state, patch::DimpleState::Cut);
-  EXPECT_EQ(dimples[2].state, patch::DimpleState::ToolTip);
+  EXPECT_EQ(dimples[2].state, patch::DimpleState::Undercut);
   EXPECT_THROW(mark_tool_tip(dimples, Vec3::UnitZ(), Angle()), InputError);
 }
 

@@ -18,7 +18,7 @@ enum class DimpleState : std::uint8_t {
   OffFace,   ///< the ray meets no trimmed face
   TooSteep,  ///< the face's normal is further from the projection direction than the limit
   ToolTip,   ///< n parallel to t within the limit: the contact azimuth is undefined, the tip rubs
-  Undercut,  ///< the face looks away from where the projection comes from
+  Undercut,  ///< the face looks away from the tool, or from where the projection comes from
   NearEdge,  ///< nearer to an edge of the faces than the margin
   Sliver,    ///< its patch has too few dimples on the faces to be worth milling
   Masked,    ///< left out by an image or a curve

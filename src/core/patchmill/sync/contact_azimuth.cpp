@@ -16,13 +16,17 @@ Angle contact_azimuth(const Vec3& n) {
   return Angle::radians(std::atan2(-n.y(), -n.x()));
 }
 
+patch::DimpleState state_of_tilt(Angle tilt, Angle least_tilt) {
+  if (tilt < least_tilt) return patch::DimpleState::ToolTip;
+  return tilt.degrees() < 90.0 ? patch::DimpleState::Cut : patch::DimpleState::Undercut;
+}
+
 void mark_tool_tip(patch::Dimples& dimples, const Vec3& axis, Angle least_tilt) {
   require_in_range("MinimumTilt", least_tilt.degrees(), 1e-6, 89.0, "degrees");
   const Vec3 t_axis = unit_along("ToolAxis", axis);
   for (patch::Dimple& dimple : dimples) {
     if (dimple.state != patch::DimpleState::Cut) continue;
-    const Angle t = tilt(dimple.surface.normal, t_axis);
-    if (t < least_tilt || t.degrees() >= 90.0) dimple.state = patch::DimpleState::ToolTip;
+    dimple.state = state_of_tilt(tilt(dimple.surface.normal, t_axis), least_tilt);
   }
 }
 

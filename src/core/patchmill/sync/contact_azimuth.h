@@ -17,11 +17,15 @@ Angle tilt(const Vec3& normal, const Vec3& axis);
 /// the axis: leave such dimples out first (mark_tool_tip).
 Angle contact_azimuth(const Vec3& normal_in_housing);
 
-/// Sets state ToolTip on every Cut dimple whose normal is nearer to the axis than `least_tilt` or
-/// on its far side (tilt of 90 degrees and more: the ball's side of the holder would cut). Matsuda
-/// 2008, section 2.1: incline the tool, avoid machining with the tip. Errors: InputError naming
-/// MinimumTilt if `least_tilt` is not in 1e-6 .. 89 degrees (0 would accept n || t), or ToolAxis if `axis`,
-/// which need not be unit, is zero or not finite.
+/// What becomes of a dimple whose normal has this tilt to the tool axis: Cut, ToolTip below `least_tilt`, or Undercut
+/// from 90 degrees on.
+patch::DimpleState state_of_tilt(Angle tilt, Angle least_tilt);
+
+/// Sets state ToolTip on every Cut dimple whose normal is nearer to the axis than `least_tilt` (Matsuda 2008,
+/// section 2.1: incline the tool, avoid machining with the tip), and Undercut where the face looks away from the
+/// tool: a tilt of 90 degrees and more, where only the upper half of the ball could touch. Errors: InputError
+/// naming MinimumTilt if `least_tilt` is not in 1e-6 .. 89 degrees (0 would accept n || t), or ToolAxis if
+/// `axis`, which need not be unit, is zero or not finite.
 void mark_tool_tip(patch::Dimples& dimples, const Vec3& axis, Angle least_tilt);
 
 }  // namespace patchmill::sync

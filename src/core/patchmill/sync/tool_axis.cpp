@@ -201,8 +201,7 @@ void mark_tool_tip(patch::Dimples& dimples, const std::vector<Vec3>& axes, Angle
   require_in_range("MinimumTilt", least_tilt.degrees(), 1e-6, 89.0, "degrees");
   for (std::size_t k = 0; k < dimples.size(); ++k) {
     if (dimples[k].state != patch::DimpleState::Cut) continue;
-    const Angle t = tilt(dimples[k].surface.normal, axes[k]);
-    if (t < least_tilt || t.degrees() >= 90.0) dimples[k].state = patch::DimpleState::ToolTip;
+    dimples[k].state = state_of_tilt(tilt(dimples[k].surface.normal, axes[k]), least_tilt);
   }
 }
 
