@@ -67,7 +67,11 @@ class Command:
 
 
 class MakingCommand(Command):
-    """Makes an operation, with job and tool where missing, and edits it."""
+    """Makes an operation, with job and tool where missing, and edits it. Not while another panel is open:
+    what FreeCAD takes back as it closes that one would be what this command has just made."""
+
+    def IsActive(self):
+        return super().IsActive() and not FreeCADGui.Control.activeDialog()
 
     def make(self):
         """The new document object. Raises InputError where the selection does not fit."""

@@ -62,6 +62,9 @@ class CopyPanel(Computing, OperationPanel):
     def preview(self):
         self.compute(False)
 
+    def stop(self):
+        self.cancel()
+
     def reject(self, resetEdit=True):
         return False if self.stop_waiting() else super().reject(resetEdit)
 

@@ -5,7 +5,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import typing
 
-from PySide import QtGui
+import FreeCAD
+import FreeCADGui
+from patchmill.freecad import host
+from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.resources import native
@@ -19,6 +22,8 @@ NativePage: typing.Any = native("operation").TaskPanelPage
 
 class OperationView(NativeView):
     """FreeCAD's view provider with our selection gate, icon and panel. A subclass gives `make_panel`."""
+
+    panel: typing.Any  # the task panel while it is open, or None; FreeCAD's view keeps it
 
     def __init__(self, vobj, resources):
         super().__init__(vobj, resources)
@@ -50,6 +55,13 @@ class OperationView(NativeView):
         self.setupTaskPanel(self.make_panel(vobj.Object, page))
         return True
 
+    def unsetEdit(self, vobj=None, mode=0):
+        """Something else is edited, or the object goes: unlike FreeCAD's own, what was made for the panel
+        stays, for it may be the very job that is to be edited."""
+        panel, self.panel = self.panel, None
+        if panel is not None:
+            panel.leave()
+
 
 class OperationPanel(NativePanel):
     """FreeCAD's panel; Apply previews, and OK closes it when the work behind it is done. A subclass gives
@@ -59,6 +71,24 @@ class OperationPanel(NativePanel):
         super().setupUi()
         for page in self.featurePages:
             guard_editors(page.form)  # also FreeCAD's own
+
+    def stop(self):
+        """Gives up what runs for the panel, and what only the panel showed."""
+        raise NotImplementedError
+
+    def leave(self):
+        """Closes without OK or Cancel. The document may be in the middle of an undo, or of being closed:
+        nothing of it is recomputed before the event loop has its turn."""
+        self.stop()
+        for page in self.featurePages:
+            page.onDirtyChanged(None)
+            page.pageCleanup()
+        native("selection").clear()
+        FreeCADGui.Selection.removeObserver(self)
+        place = (self.obj.Document.Name, self.obj.Name)
+        self.obj.Document.commitTransaction()
+        FreeCADGui.Control.closeDialog()
+        QtCore.QTimer.singleShot(0, lambda: _recompute(*place))
 
     def preview(self):
         """Shows, when it is there, what the properties as they are would give."""
@@ -76,6 +106,16 @@ class OperationPanel(NativePanel):
         self.obj.Proxy.ready = ready
         self.obj.Document.recompute()  # inside the transaction
         super().accept()
+
+
+def _recompute(document, name):
+    """Recomputes an operation that may be gone meanwhile."""
+    found = FreeCAD.listDocuments().get(document)
+    obj = found.getObject(name) if found else None
+    job = host.PathUtils.findParentJob(obj) if obj is not None else None
+    if job is not None:
+        job.ViewObject.Proxy.resetEditVisibility(job)
+        found.recompute()
 
 
 class OperationPage(NativePage):

@@ -250,7 +250,7 @@ class TexturePanel(OperationPanel):
         return False  # _finish closes the dialog
 
     def _finish(self):
-        self._stop()
+        self.stop()
         self.close_with(self.ready)
 
     def reject(self, resetEdit=True):
@@ -261,10 +261,10 @@ class TexturePanel(OperationPanel):
             self.planning.cancel()
             self.page.progress.setVisible(False)
             return False
-        self._stop()
+        self.stop()
         return super().reject(resetEdit)
 
-    def _stop(self):
+    def stop(self):
         for timer in (self.place_timer, self.plan_timer):
             timer.stop()
         for work in (self.placing, self.drawing, self.planning):

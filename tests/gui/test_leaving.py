@@ -1,0 +1,60 @@
+"""A texture's panel is left without OK or Cancel: a command is pressed, another object is edited, what was
+made is undone or deleted, the document is closed. Nothing is lost, nothing of a panel stays behind.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import driver
+import FreeCAD
+import FreeCADGui
+from patchmill_gui.panels.texture_head import Head
+
+
+class Leaving(driver.BlockTest):
+    def setUp(self):
+        super().setUp()
+        self.operation, self.panel = driver.begin_texture(self.part)
+
+    def tearDown(self):
+        heads = [head for head in FreeCADGui.getMainWindow().findChildren(Head) if head.isVisible()]
+        self.assertEqual(len(heads), int(driver.panel_open()))
+        if driver.panel_open():
+            FreeCADGui.Control.closeDialog()
+        if self.document.Name in FreeCAD.listDocuments():
+            FreeCAD.closeDocument(self.document.Name)
+
+    def test_no_second_operation_is_made_while_a_panel_is_open(self):
+        before = self.names()
+        driver.select(self.part, driver.top_face(self.part.Shape))
+        FreeCADGui.runCommand("PatchMill_CurvedTexture")
+        driver.rest(0.5)
+        self.assertEqual(self.names(), before)
+        self.assertIs(driver.panel_of(self.operation), self.panel)
+        self.assertTrue(driver.panel_open())
+
+    def test_the_texture_stays_when_its_job_is_edited(self):
+        FreeCADGui.activeDocument().setEdit(self.document.getObject("Job").Name)
+        self.assertTrue(driver.wait(lambda: self.operation.DimpleCount > 0))
+        self.assertIsNone(driver.panel_of(self.operation))
+        self.assertFalse(self.operation.ViewObject.Proxy.editing)
+        FreeCADGui.Control.closeDialog()
+        FreeCADGui.activeDocument().resetEdit()
+        self.assertIn("CurvedTexture", self.names())
+
+    def test_undo_takes_back_what_was_made_with_its_panel(self):
+        FreeCADGui.runCommand("Std_Undo")
+        self.assertTrue(driver.wait(lambda: not driver.panel_open()))
+        self.assertEqual(self.names(), {"Part"})
+
+    def test_a_deleted_texture_takes_its_panel_along(self):
+        self.document.removeObject(self.operation.Name)
+        self.assertTrue(driver.wait(lambda: not driver.panel_open()))
+        self.assertNotIn("CurvedTexture", self.names())
+
+    def test_a_closed_document_takes_its_panel_along(self):
+        FreeCAD.closeDocument(self.document.Name)
+        self.assertTrue(driver.wait(lambda: not driver.panel_open()))
+
+
+def main():
+    return driver.run_tests(Leaving)
