@@ -12,12 +12,32 @@ import quality_parts
 from _patchmill import InputError
 
 MACHINES = ("linuxcnc-mill", "table-table-ac")
+HEADING = "%-23s %-14s state good worst whole minutes | values                      | after the first fix"
+SHORT = {"Spindle-locked": "locked", "Constant feed, fitted stops": "fitted", "Feed per move": "feed"}
 
 
-def said(state, found, minutes):
+def said(operation):
+    """What the head says, and what the whole texture is when it is simulated."""
+    state, found, minutes = one_click.state_of(operation)
     if found is None:
-        return "%-5s %4s %4s %7s" % (state, "-", "-", "-")
-    return "%-5s %3.0f%% %4.2f %7.1f" % (state, 100 * found.good_fraction, found.quality, minutes)
+        return state, "%-5s    -    -     -       -" % state
+    whole = one_click.whole_quality(operation)
+    return state, "%-5s %3.0f%% %5.2f %5.2f %7.1f" % (
+        state,
+        100 * found.good_fraction,
+        found.quality,
+        whole,
+        minutes,
+    )
+
+
+def values(operation):
+    return "%s, %s, S%.0f, F%.0f" % (
+        SHORT.get(operation.Strategy, operation.Strategy),
+        operation.Order,
+        operation.ToolController.SpindleSpeed,
+        60.0 * operation.ToolController.HorizFeed.Value,
+    )
 
 
 def row(name, machine):
@@ -28,20 +48,20 @@ def row(name, machine):
         one_click.choose_for(operation)
     except InputError:
         pass  # the head says so, and the remedies are looked for
-    first = one_click.state_of(operation)
-    text, after = operation.Strategy, ""
-    if first[0] != "good":
+    state, first = said(operation)
+    text, after = values(operation), ""
+    if state != "good":
         kind = one_click.fix(operation)
-        after = "%s: %s" % (kind or "no remedy", said(*one_click.state_of(operation)) if kind else "")
+        after = "%s: %s, %s" % (kind, said(operation)[1], values(operation)) if kind else "no remedy"
     print(
-        "%-24s %-14s %s | %-28s | %s | %.0f s"
-        % (name, machine, said(*first), text, after, time.monotonic() - began),
+        "%-23s %-14s %s | %-27s | %s | %.0f s"
+        % (name, machine, first, text, after, time.monotonic() - began),
         flush=True,
     )
     FreeCAD.closeDocument(operation.Document.Name)
 
 
-print("part                     machine        state good worst minutes | strategy | after the first fix")
+print(HEADING % ("part", "machine"))
 for wanted in sys.argv[1:] or quality_parts.PARTS:
     for machine in MACHINES:
         row(wanted, machine)

@@ -29,8 +29,8 @@ def texture(shape, face, machine):
 
 def choose_for(operation):
     """Takes the values over that suit."""
-    found = choose(operation.Proxy.texture_input(operation), apply.feed_is_free(operation))
-    apply.set_fields(operation, found.fields, found.feed_factor)
+    found = choose(operation.Proxy.texture_input(operation), apply.controller_is_free(operation))
+    apply.set_fields(operation, found.fields)
 
 
 def state_of(operation, count=3):
@@ -48,9 +48,23 @@ def state_of(operation, count=3):
     )
 
 
+def whole_quality(operation, most_area=1500.0):
+    """Quality of all of a texture as its machine's model runs it, borders and links included; of a square
+    in its middle where its plane is larger than so many mm². NaN where there is no plan."""
+    plan = operation.Proxy.planned
+    if plan is None:
+        return math.nan
+    places = plan.places()[plan.dimples.states == 0]
+    low, high = places.min(axis=0) - plan.input.spacing, places.max(axis=0) + plan.input.spacing
+    if (high - low).prod() > most_area:
+        middle, half = 0.5 * (low + high), 0.5 * math.sqrt(most_area)
+        low, high = middle - half, middle + half
+    return patchmill.simulate(plan, machine=plan.machine, window=(tuple(low), tuple(high))).quality
+
+
 def fix(operation):
     """Takes the first remedy over that was found; its kind, or ''."""
-    free, can_incline = apply.feed_is_free(operation), apply.can_incline(operation)
+    free, can_incline = apply.controller_is_free(operation), apply.can_incline(operation)
     finder = remedies.Finder(assess, choose, free, can_incline, chosen=True)
     found = finder.find(operation.Proxy.texture_input(operation))
     if not found:

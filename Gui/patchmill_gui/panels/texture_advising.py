@@ -42,17 +42,16 @@ class Advising(QtCore.QObject):
         self._planned = self._before = self._choice = self._chosen_for = None
         self.following = False  # the values of a new texture follow the others until the user edits them
         self.applying = False  # its own values are being shown: no edit of the user's
-        self._feed = None  # of the tool controller, before a choice changed it [mm/s]
+        self._controller, self._cutting = None, {}  # feed and spindle of a controller before a choice
 
     def follow(self):
         """From now on the values are chosen for what the others are."""
         self.following = True
-        self._feed = self.obj.ToolController.HorizFeed.Value
 
     def own_values(self):
         """Those that are chosen, as they are."""
         obj = self.obj
-        return obj.Strategy, obj.SameFlute, obj.ExtraTurns
+        return obj.Strategy, obj.SameFlute, obj.ExtraTurns, obj.Order, obj.RowDirection
 
     def choose(self):
         """Begins to look for the values that suit, unless they are those of the last choice, or the user's.
@@ -60,26 +59,32 @@ class Advising(QtCore.QObject):
         if not self.following:
             return False
         try:
-            given = replace(self.obj.Proxy.texture_input(self.obj), feed=self._feed)
+            given = replace(self.obj.Proxy.texture_input(self.obj), **self._as_before())
         except InputError:
             return False  # planning says it
         if given.form == "Free":
             return False
-        key = replace(given, strategy="", same_flute=False, extra_turns=0.0)
+        self._cutting = {"feed": given.feed, "spindle": given.spindle}
+        key = replace(given, strategy="", same_flute=False, extra_turns=0.0, order="", row_direction="")
         if key == self._chosen_for:
             return False
         self._chosen_for = key
         self.head.busy(translate("Looking for good values …"))
-        free = apply.feed_is_free(self.obj)
+        free = apply.controller_is_free(self.obj)
         self.choosing.start(lambda progress: choose(given, free, progress))
         return True
+
+    def _as_before(self):
+        """Feed and spindle of the tool controller before a choice changed them; none of another
+        controller."""
+        if self._controller is not self.obj.ToolController:
+            self._controller, self._cutting = self.obj.ToolController, {}
+        return self._cutting
 
     def _chosen(self, found):
         self._choice = found
         if found is not None:
-            apply.set_fields(self.obj, found.fields)
-            if apply.feed_is_free(self.obj):
-                apply.set_feed(self.obj, self._feed * found.feed_factor)
+            apply.set_fields(self.obj, {**self._cutting, **found.fields})
             self.applying = True
             self.show_properties()
             self.applying = False
@@ -123,7 +128,7 @@ class Advising(QtCore.QObject):
             return
         if given.form == "Free":
             return
-        free, can_incline = apply.feed_is_free(self.obj), apply.can_incline(self.obj)
+        free, can_incline = apply.controller_is_free(self.obj), apply.can_incline(self.obj)
         chosen = self._choice is not None and all(
             getattr(given, name) == value for name, value in self._choice.fields.items()
         )

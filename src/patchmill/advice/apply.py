@@ -1,5 +1,5 @@
-"""Takes choices and remedies over into documents: an operation's properties, its tool controller's feed where
-nobody else uses it, and how the part lies in the job.
+"""Takes choices and remedies over into documents: an operation's properties, its tool controller's feed and
+speed where nobody else uses it, and how the part lies in the job.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -10,6 +10,8 @@ from FreeCAD import Placement, Rotation, Vector
 from patchmill.freecad import host
 from patchmill.properties.property_table import property_of
 
+CONTROLLER = ("feed", "spindle")  # fields that are the tool controller\'s
+
 
 def others_of(obj):
     """The other operations of an operation's job."""
@@ -17,34 +19,42 @@ def others_of(obj):
     return [o for o in job.Operations.Group if o is not obj] if job else []
 
 
-def feed_is_free(obj):
+def controller_is_free(obj):
     """Whether no other operation uses the tool controller of `obj`."""
     return all(getattr(other, "ToolController", None) is not obj.ToolController for other in others_of(obj))
 
 
-def set_fields(obj, fields, feed_factor=1.0):
-    """Gives the operation the values of TextureInput's fields; those that it has stay untouched."""
+def set_fields(obj, fields):
+    """Gives the operation, and its tool controller if that is free, the values of TextureInput's fields;
+    those that they have stay untouched."""
     for name, value in fields.items():
-        own = property_of(name)
-        value = Vector(*value) if isinstance(value, tuple) else value
-        if getattr(obj, own) != value:
-            setattr(obj, own, value)
-    if feed_factor != 1.0 and feed_is_free(obj):
-        set_feed(obj, obj.ToolController.HorizFeed.Value * feed_factor)
+        if name not in CONTROLLER:
+            value = Vector(*value) if isinstance(value, tuple) else value
+            _set(obj, property_of(name), value)
+        elif controller_is_free(obj):
+            _set_controller(obj.ToolController, name, value)
 
 
-def set_feed(obj, feed):
-    """Gives the operation's tool controller a feed [mm/s], across and down."""
-    for name in ("HorizFeed", "VertFeed"):
-        if getattr(obj.ToolController, name).Value != feed:
-            setattr(obj.ToolController, name, feed)
+def _set_controller(controller, name, value):
+    """`feed` [mm/s], across and down, or `spindle`, a _patchmill.Spindle."""
+    if name == "feed":
+        for own in ("HorizFeed", "VertFeed"):
+            _set(controller, own, value)
+    else:
+        _set(controller, "SpindleSpeed", float(round(60.0 * value.speed)))
+
+
+def _set(obj, name, value):
+    now = getattr(obj, name)
+    if getattr(now, "Value", now) != value:
+        setattr(obj, name, value)
 
 
 def take(obj, remedy):
     """Takes a remedies.Remedy over."""
     if remedy.kind == "incline":
         incline(host.PathUtils.findParentJob(obj), remedy.axis, remedy.angle)
-    set_fields(obj, remedy.fields, remedy.feed_factor)
+    set_fields(obj, remedy.fields)
     obj.Proxy.refresh_heights(obj)
 
 

@@ -2,7 +2,9 @@
 
 A texture is milled patch by patch, so that one patch simulated alone says what each of its kind is worth. The
 patches that are looked at stand for equal parts of the dimples, from the flattest to the steepest place:
-quality depends on the tilt between tool axis and face more than on anything else.
+quality depends on the tilt between tool axis and face more than on anything else. They lie away from the
+borders of
+the faces, where there are such places: along a border the tip leaves marks that no neighbour takes away.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -17,6 +19,10 @@ from _patchmill import InputError
 from patchmill.advice.found import GOOD, Assessment, PatchQuality
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import place_texture, plan_texture
+
+
+WINDOW = 8  # spacings along the side of what is simulated
+ABOUT = 0.95  # of the most neighbours: a place in the middle
 
 
 def with_simulation(simulate):
@@ -40,17 +46,42 @@ def assess(simulate, given, count=5, progress=None, first=None):
     tilts = _tilts(placed)
     numbers = np.flatnonzero(cut)
     order = numbers[np.argsort(tilts[numbers], kind="stable")]
+    middles = _middles(order, _neighbours(placed, cut), count)
     made: dict[int, PatchQuality] = {}
     for k in sorted(range(count), key=lambda k: k != first):
         if progress and not progress(len(made) / count):
             return None
-        number = int(order[int((k + 0.5) / count * len(order))])
+        number = middles[k]
         made[k] = _patch(simulate, given, placed, number, float(np.degrees(tilts[number])))
         if k == first and made[k].quality < GOOD:
             break
     found.patches = [made[k] for k in sorted(made)]
     rates = [patch.seconds_per_dimple for patch in found.patches if patch.seconds_per_dimple]
     found.seconds = float(np.mean(rates)) * found.dimples if rates else 0.0
+    return found
+
+
+def _neighbours(placed, cut):
+    """How many dimples are milled in a square of WINDOW spacings around each lattice point."""
+    places = np.where(np.isfinite(placed.places()), placed.places(), 0.0)
+    cells = np.rint(places / placed.input.spacing).astype(int)
+    half = WINDOW // 2
+    cells += half + 1 - cells.min(axis=0)
+    count = np.zeros(cells.max(axis=0) + half + 1, dtype=int)
+    np.add.at(count, tuple(cells[cut].T), 1)
+    total = count.cumsum(axis=0).cumsum(axis=1)
+    (x0, y0), (x1, y1) = (cells - half - 1).T, (cells + half).T
+    return total[x1, y1] - total[x0, y1] - total[x1, y0] + total[x0, y0]
+
+
+def _middles(order, neighbours, count):
+    """Of each of `count` equal parts of `order`, the number nearest to the part's middle among those that
+    have about as many neighbours as any of the part."""
+    found = []
+    for part in np.array_split(order, count) if len(order) >= count else [order] * count:
+        full = neighbours[part] >= ABOUT * neighbours[part].max()
+        ranks = np.flatnonzero(full)
+        found.append(int(part[ranks[np.abs(ranks - len(part) // 2).argmin()]]))
     return found
 
 
@@ -69,7 +100,7 @@ def _patch(simulate, given, placed, number, tilt):
     try:
         plan = plan_texture(replace(given, origin=position, patches_x=1, patches_y=1, minimum_dimples=0))
         spacing = plan.input.spacing
-        half = spacing * min(4.0, 0.5 * given.patch_side)
+        half = spacing * min(0.5 * WINDOW, 0.5 * given.patch_side)
         window = ((-half, -half), (half, half))
         result = simulate(plan, machine=plan.machine, window=window)
     except InputError as error:

@@ -1,50 +1,82 @@
-"""Which values suit a texture: strategy, flutes, turns and feed that a machine holds, tried from the fastest
-on.
+"""Which values suit a texture: strategy, order, flutes, turns, feed and spindle speed that a machine holds,
+tried from the fastest on.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import math
 from dataclasses import dataclass, replace
 
+import _patchmill as core
+import FreeCAD
+import Part
 from _patchmill import InputError
 
 from patchmill.advice.found import GOOD
 from patchmill.machine import machines
 from patchmill.textures import strategies
 from patchmill.textures.input import TextureInput
+from patchmill.textures.order import rows
 from patchmill.textures.plan import plan_texture
 
 FLAT = 12.0  # degrees to the tool axis, below which the tip comes near whatever the strategy
 EXTRA_TURNS = (1.0, 2.0, 5.0)
 FEEDS = (1.0, 2.0)  # times the tool controller's
+SPEED_STEP = 1.15  # from one spindle speed that is tried to the next
+HIGHEST_SPEED = 4.0  # times the tool controller's
+MIN_PERIODS_OF_TOOTH = 11.0  # servo periods, in which a lock follows a tooth (docs/rows.md)
 
 
 @dataclass
 class Choice:
-    """Values of a texture's fields by name, and what they give. `feed_factor`: of the controller's feed."""
+    """Values of a texture's fields by name, the tool controller's `feed` and `spindle` among them where
+    they may be changed, and what they give."""
 
     fields: dict
-    feed_factor: float
     assessment: object  # Assessment
 
 
-def candidates(given, machine, any_feed):
-    """(fields, feed factor) pairs to be tried, the fastest first. `any_feed`: the feed may be changed."""
+def candidates(given, machine, free):
+    """Fields to be tried, the fastest first. `free`: the tool controller may be changed."""
     if machine is not None and machine.model.spindle_lock:
-        yield _fields(strategies.LOCKED, False, 0.0), 1.0
+        for direction in _directions(given):
+            yield dict(_fields(strategies.LOCKED, False, 0.0, rows.ROWS), row_direction=direction)
+        yield _fields(strategies.LOCKED, False, 0.0)
     polygons = [strategies.CONSTANT]
     if machine is not None and _stops_are_known(machine):
         polygons = [strategies.FITTED]
     for strategy in polygons:
-        for factor in reversed(FEEDS) if any_feed else (1.0,):
+        for factor in reversed(FEEDS) if free else (1.0,):
             for turns in EXTRA_TURNS:
-                yield _fields(strategy, given.tool.flutes < 2, turns), factor
+                fields = _fields(strategy, given.tool.flutes < 2, turns)
+                yield dict(fields, feed=given.feed * factor) if free else fields
     if machine is not None:
-        yield _fields(strategies.FEED, False, 0.0), 1.0
+        yield _fields(strategies.FEED, False, 0.0)
 
 
-def _fields(strategy, same_flute, extra_turns):
-    return {"strategy": strategy, "same_flute": same_flute, "extra_turns": extra_turns}
+def _fields(strategy, same_flute, extra_turns, order=rows.HELIX):
+    return {"strategy": strategy, "same_flute": same_flute, "extra_turns": extra_turns, "order": order}
+
+
+def _directions(given):
+    """Both directions of rows, the one with the longer rows first. Up and down a slope the tip reaches the
+    dimple
+    before, and across it does not: which of them is good is to be tried, and a single patch does not say
+    which takes the least time."""
+    turned = abs(math.cos(math.radians(given.rotation))) < math.sqrt(0.5)
+    along_x = _length(given, 0) >= _length(given, 1)
+    both = (rows.ALONG_X, rows.ALONG_Y)
+    return both if along_x != turned else both[::-1]
+
+
+def _length(given, axis):
+    """Of the box around all faces along X or Y [mm]."""
+    box = FreeCAD.BoundBox()
+    for text in given.breps:
+        shape = Part.Shape()
+        shape.importBrepFromString(text)
+        box.add(shape.BoundBox)
+    return (box.XLength, box.YLength)[axis]
 
 
 def _stops_are_known(machine):
@@ -52,30 +84,78 @@ def _stops_are_known(machine):
     return machine.data["path_tolerance_mm"] == 0.0 and axes["jerk_mm_s3"] is None
 
 
-def choose(assess, given, any_feed=False, progress=None):
+def choose(assess, given, free=False, progress=None):
     """The Choice for a TextureInput: the fastest that is good at all places that were looked at, else the one
-    that is good at most. `assess`: see assessment.with_simulation. None if `progress` (fraction -> bool)
-    returned False. Raises InputError where no dimple can be placed whatever the strategy."""
+    that is good at most. `assess`: see assessment.with_simulation; `free`: the tool controller's feed and
+    speed may be changed. None if `progress` (fraction -> bool) returned False. Raises InputError where no
+    dimple can be placed whatever the strategy."""
     machine = machines.load(given.machine) if given.machine else None
-    tried = list(candidates(given, machine, any_feed))
+    tried = list(candidates(given, machine, free))
     choices: list[tuple[TextureInput, Choice]] = []
-    for number, (fields, factor) in enumerate(tried):
+    for number, fields in enumerate(tried):
         if progress and not progress(number / len(tried)):
             return None
-        asked = replace(given, feed=given.feed * factor, **fields)
+        asked = replace(given, **fields)
         try:
             found = assess(asked, 3, first=1)
         except InputError:
             if number + 1 == len(tried) and not choices:
                 raise
             continue
-        choice = Choice(fields, factor, found)
+        choice = Choice(fields, found)
         choices.append((asked, choice))
         if _good_but_where_flat(found.patches) and _can_be_planned(asked):
-            return choice
+            return _sped_up(assess, given, choice, machine, progress) if free else choice
     choices.sort(key=lambda pair: _rank(pair[1].assessment), reverse=True)
     planned = (choice for asked, choice in choices if _can_be_planned(asked))
-    return next(planned, choices[0][1] if choices else None)
+    best = next(planned, choices[0][1] if choices else None)
+    return _sped_up(assess, given, best, machine, progress) if best and free else best
+
+
+def speeds(given, machine):
+    """Whole spindle speeds [rpm] above the texture's, ascending, that a machine may hold its phase at."""
+    if machine is None:
+        return []
+    own = 60.0 * given.spindle.speed
+    highest = HIGHEST_SPEED * own
+    if machine.model.spindle_lock:
+        periods = MIN_PERIODS_OF_TOOTH * given.tool.flutes * machine.data["servo_period_s"]
+        highest = min(highest, 60.0 / periods)
+    found: list[int] = []
+    while own * SPEED_STEP ** (len(found) + 1) < highest:
+        found.append(int(own * SPEED_STEP ** (len(found) + 1)))
+    return found + [int(highest)] if highest >= own + 1.0 else []
+
+
+def _sped_up(assess, given, choice, machine, progress):
+    """The Choice at the highest speed, found by bisection, at which as much is good and the whole can be
+    planned; polygons keep their shape, for the feed goes with the speed. None as choose()."""
+    ladder = speeds(given, machine)
+    low, high, best = 0, len(ladder), choice
+    while low < high:
+        if progress and not progress(low / len(ladder)):
+            return None
+        middle = (low + high + 1) // 2
+        faster = _at_speed(assess, given, choice, ladder[middle - 1])
+        if faster is not None and faster.assessment.good_fraction >= choice.assessment.good_fraction:
+            low, best = middle, faster
+        else:
+            high = middle - 1
+    return best
+
+
+def _at_speed(assess, given, choice, rpm):
+    """The Choice with another spindle speed; None where that cannot be planned."""
+    factor = rpm / (60.0 * given.spindle.speed)
+    fields = dict(choice.fields, spindle=core.Spindle(rpm / 60.0, given.spindle.sense))
+    if fields["strategy"] in (strategies.CONSTANT, strategies.FITTED):
+        fields["feed"] = factor * fields.get("feed", given.feed)
+    asked = replace(given, **fields)
+    try:
+        found = assess(asked, 3, first=1)
+    except InputError:
+        return None
+    return Choice(fields, found) if _can_be_planned(asked) else None
 
 
 def _good_but_where_flat(patches):

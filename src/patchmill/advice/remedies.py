@@ -31,7 +31,6 @@ class Remedy:
     assessment: Assessment
     axis: tuple = None
     angle: float = 0.0
-    feed_factor: float = 1.0
 
 
 def turned(given, axis, angle):
@@ -82,11 +81,11 @@ def face_normals(given):
 
 class Finder:
     """Looks for remedies. `assess`: see assessment.with_simulation; `choose`: choice.choose with it.
-    `any_feed`, `can_incline`: the feed, and how the part lies, may be changed, too; `chosen`: the texture's
-    values are those of choose() already."""
+    `free`, `can_incline`: the tool controller, and how the part lies, may be changed, too; `chosen`: the
+    texture's values are those of choose() already."""
 
-    def __init__(self, assess, choose, any_feed=False, can_incline=True, chosen=False):
-        self.assess, self.choose, self.any_feed = assess, choose, any_feed
+    def __init__(self, assess, choose, free=False, can_incline=True, chosen=False):
+        self.assess, self.choose, self.free = assess, choose, free
         self.can_incline, self.chosen = can_incline, chosen
 
     def find(self, given, progress=None):
@@ -125,26 +124,22 @@ class Finder:
             return 0.0
 
     def _values(self, given):
-        choice = self.choose(given, self.any_feed)
-        return choice and Remedy(
-            "values", choice.fields, choice.assessment, feed_factor=choice.feed_factor
-        )
+        choice = self.choose(given, self.free)
+        return choice and Remedy("values", choice.fields, choice.assessment)
 
     def _incline(self, given, leaning):
         _, angle, axis = leaning
-        choice = self.choose(turned(given, axis, angle), self.any_feed)
-        return choice and Remedy(
-            "incline", choice.fields, choice.assessment, axis, angle, choice.feed_factor
-        )
+        choice = self.choose(turned(given, axis, angle), self.free)
+        return choice and Remedy("incline", choice.fields, choice.assessment, axis, angle)
 
     def _lean(self, given, leaning):
         """The tool leant as the part would be, the other way round."""
         _, angle, axis = leaning
         up = Rotation(Vector(*axis), -angle).multVec(Vector(0, 0, 1))
         fields = {"tool_axis_mode": "Fixed", "fixed_axis": tuple(up)}
-        choice = self.choose(replace(given, **fields), self.any_feed)
+        choice = self.choose(replace(given, **fields), self.free)
         fields.update(choice.fields if choice else {})
-        return choice and Remedy("lean", fields, choice.assessment, axis, angle, choice.feed_factor)
+        return choice and Remedy("lean", fields, choice.assessment, axis, angle)
 
     def leave_out(self, given):
         """Remedy that leaves out what is too flat, or None: below the least tilt from which on all patches
