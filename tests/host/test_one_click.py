@@ -14,7 +14,8 @@ import FreeCAD  # noqa: E402
 import numpy as np  # noqa: E402
 import one_click  # noqa: E402
 import quality_parts  # noqa: E402
-from patchmill.advice import remedies  # noqa: E402
+from patchmill.advice import assessment, choice, remedies  # noqa: E402
+from patchmill.machine import machines  # noqa: E402
 
 
 class OneClick(unittest.TestCase):
@@ -28,10 +29,12 @@ class OneClick(unittest.TestCase):
 
     def test_an_inclined_plate_is_good_at_once(self):
         for name in ("plate 20", "plate 30"):
-            _, state, found, _ = self.one(name, "linuxcnc-mill")
+            operation, state, found, _ = self.one(name, "linuxcnc-mill")
             self.assertEqual(state, "good", name)
             self.assertGreaterEqual(found.quality, 0.95)
             self.assertEqual(found.milled_fraction, 1.0)
+            self.assertEqual((operation.Strategy, operation.Order), ("Spindle-locked", "Rows"))
+            self.assertGreater(one_click.whole_quality(operation), 0.95)
 
     def test_a_flat_plate_is_short_and_becomes_good_by_the_fix(self):
         for machine, kinds in (("linuxcnc-mill", {"incline"}), ("table-table-ac", {"incline", "lean"})):
@@ -45,6 +48,23 @@ class OneClick(unittest.TestCase):
         finder = remedies.Finder(one_click.assess, one_click.choose)
         offered = finder.find(operation.Proxy.texture_input(operation))
         self.assertEqual([r.kind for r in offered], [])
+
+    def test_speeds_rise_to_what_a_lock_can_follow(self):
+        operation = one_click.texture(quality_parts.plate(20.0), "Face6", "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        given = operation.Proxy.texture_input(operation)
+        tried = choice.speeds(given, machines.load("linuxcnc-mill"))
+        self.assertEqual(tried[-1], int(60.0 / (11 * 2 * 0.001)))
+        steps = np.array(tried) / np.array([1000, *tried[:-1]])
+        self.assertTrue(((steps > 1.0) & (steps < 1.16)).all())
+        self.assertEqual(choice.speeds(given, machines.load("open-loop-mill"))[-1], 4000)
+        self.assertEqual(choice.speeds(given, None), [])
+
+    def test_patches_are_looked_at_away_from_borders(self):
+        neighbours = np.array([9, 81, 9, 9, 9, 80, 40, 40, 40])
+        found = assessment._middles(np.arange(9)[::-1], neighbours, 3)
+        self.assertEqual(found, [7, 5, 1])
+        self.assertEqual(len(assessment._middles(np.arange(2), neighbours, 3)), 3)
 
     def test_the_leaning_turns_flat_normals_to_the_middle_of_good_tilts(self):
         up = np.tile([0.0, 0.0, 1.0], (5, 1))
