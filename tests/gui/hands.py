@@ -20,6 +20,12 @@ def _xdotool(*arguments):
     driver.rest(SETTLE)
 
 
+def on_top(widget):
+    """Whether a widget's middle can be touched: nothing lies over it, and no scroll area ends before it."""
+    top = QtGui.QApplication.widgetAt(widget.mapToGlobal(widget.rect().center()))
+    return top is not None and (top is widget or widget.isAncestorOf(top))
+
+
 def point_at(widget, at=None):
     """Moves the pointer over a widget: its middle, or the QPoint `at` in it. Rows come and go while a panel
     fills: the pointer follows, as an eye does."""

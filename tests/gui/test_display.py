@@ -26,7 +26,9 @@ class Display(driver.BlockTest):
         (box,) = [
             b for b in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox) if b.isVisible()
         ]
-        hands.click(box.button(QtGui.QDialogButtonBox.Ok))
+        button = box.button(QtGui.QDialogButtonBox.Ok)
+        self.assertTrue(hands.on_top(button), "OK is out of sight")
+        hands.click(button)
         self.assertTrue(driver.wait(lambda: not driver.panel_open(), 200), panel.error)
         look()
         return eyes.picture()

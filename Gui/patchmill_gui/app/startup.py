@@ -53,6 +53,7 @@ def attach_view(obj):
     workbench.start()
     if hasattr(obj, "PostProcessor"):  # a job
         obj.ViewObject.Proxy = native("job").ViewProvider(obj.ViewObject)
+        obj.ViewObject.Proxy.deleteOnReject = False  # Cancel of its dialog would take away all that is in it
         obj.ViewObject.addExtension("Gui::ViewProviderGroupExtensionPython")
     else:
         attach_to(obj)

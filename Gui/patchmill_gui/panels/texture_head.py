@@ -12,6 +12,7 @@ from patchmill_gui.forms.widgets import translate, wrapping_label
 
 GREEN, AMBER, RED, GREY = "#2e7d32", "#8a5a00", "#b71c1c", "#5f6368"  # under white text, contrast above 5
 _TASK_VIEW = "Gui::TaskView::TaskView"
+SETTLED_MS = 300  # FreeCAD scrolls to the page that it opens, and OK and Cancel out of sight
 
 
 class Head(QtGui.QFrame):
@@ -121,7 +122,12 @@ class Head(QtGui.QFrame):
         self.show()
         self._place()
         QtCore.QTimer.singleShot(0, self._place)
+        QtCore.QTimer.singleShot(SETTLED_MS, self._scroll_to_top)
         return True
+
+    def _scroll_to_top(self):
+        if self._area is not None:
+            self._area.verticalScrollBar().setValue(0)
 
     def unpin(self):
         """Gives the panel its place back."""

@@ -10,7 +10,7 @@ from FreeCAD import Placement, Rotation, Vector
 from patchmill.freecad import host
 from patchmill.properties.property_table import property_of
 
-CONTROLLER = ("feed", "spindle")  # fields that are the tool controller\'s
+CONTROLLER = ("feed", "spindle")  # fields that are the tool controller's
 
 
 def others_of(obj):
