@@ -42,7 +42,9 @@ class Leaving(driver.BlockTest):
         self.assertFalse(self.operation.ViewObject.Proxy.editing)
         buttons = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
         (box,) = [box for box in buttons if box.isVisible()]
-        hands.click(box.button(QtGui.QDialogButtonBox.Cancel))
+        cancel = box.button(QtGui.QDialogButtonBox.Cancel)
+        hands.show(cancel)
+        hands.click(cancel)
         self.assertTrue(driver.wait(lambda: not driver.panel_open()))
         self.assertTrue({"CurvedTexture", "Job"} <= self.names())
 
