@@ -9,5 +9,7 @@ class BatchError(Exception):
     `value` and `remedy`."""
 
     def __init__(self, where: str, value: object, remedy: str) -> None:
-        super().__init__("%s: %s: %s" % (where, value, remedy))
+        sentence = "%s: %s: %s" % (where, value, remedy)
+        # half a character, as JSON can name it, cannot be shown
+        super().__init__(sentence.encode("utf-8", "backslashreplace").decode())
         self.where, self.value, self.remedy = where, value, remedy

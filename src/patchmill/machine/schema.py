@@ -107,8 +107,8 @@ class Place:
         return Place(self.key, self.words + (str(word),))
 
     def refuse(self, value, remedy):
-        said = _said(value)
-        raise InputError("Machine file %s: /%s" % (self.key, "/".join(self.words)), said, remedy)
+        place = _said("/".join(self.words))
+        raise InputError("Machine file %s: /%s" % (self.key, place), _said(value), _said(remedy))
 
 
 def _said(value):
@@ -117,6 +117,7 @@ def _said(value):
         text = str(value)
     except ValueError:  # of a whole number with thousands of digits
         return "a number"
+    text = text.encode("utf-8", "backslashreplace").decode()  # half a character cannot be shown
     return text if len(text) <= MOST_SAID else text[:MOST_SAID] + " ..."
 
 
