@@ -9,7 +9,12 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
+from patchmill.system import memory
 from patchmill.textures import masks
+
+# measured by tests/bench/jobs_memory_bench.py, from 30 thousand dimples to 300 thousand
+BYTES_PER_POINT = 250  # of the lattice, while dimples are placed
+BYTES_PER_DIMPLE = 3000  # to be cut, with its moves in the document
 
 
 def _direction(given, remarks):
@@ -126,8 +131,8 @@ def divide(given, plane, sampler, low, high, remarks, progress):
     if given.mapping == "Projected":
         pattern = _fitting(given, high - low, remarks)
         if covering:
-            return core.cover(pattern, low, high), None
-        return core.patch_block(pattern, given.patches_x, given.patches_y), None
+            return _foreseen(core.cover(pattern, low, high)), None
+        return _foreseen(core.patch_block(pattern, given.patches_x, given.patches_y)), None
     pattern = _pattern(given, given.patch_side, given.patch_side_across)
     laid = core.lay_on_faces(
         pattern,
@@ -142,8 +147,24 @@ def divide(given, plane, sampler, low, high, remarks, progress):
     if laid is None:
         return None
     if covering:
-        return laid.cover(), laid
-    return core.patch_block(pattern, given.patches_x, given.patches_y), laid
+        return _foreseen(laid.cover()), laid
+    return _foreseen(core.patch_block(pattern, given.patches_x, given.patches_y)), laid
+
+
+def _foreseen(division):
+    """The division. Raises InputError naming Spacing if there is no memory for its lattice points."""
+    (outline,) = core.patch_block(division.pattern, 1, 1).outlines()
+    x, y = outline.T
+    area = 0.5 * abs(x @ np.roll(y, -1) - y @ np.roll(x, -1))
+    require_memory(division, BYTES_PER_POINT, len(division) * area / division.pattern.cell_area)
+    return division
+
+
+def require_memory(division, each, count):
+    """Raises InputError naming Spacing if so many dimples, of so many bytes each, take more memory than there
+    is."""
+    remedy = "there would be %.3g dimples. Choose a larger spacing, fewer patches or fewer faces." % count
+    memory.require(each * count, "Spacing", "%g mm" % division.pattern.spacing, remedy)
 
 
 def _start_on_faces(given, sampler):

@@ -14,7 +14,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.machine import machines
-from patchmill.textures import free_form, heights, laid, masks, strategies, tool_posture
+from patchmill.textures import division, free_form, heights, laid, masks, strategies, tool_posture
 from patchmill.textures.division import divide, require_apart, sampler_on, texture_size
 from patchmill.textures.input import TextureInput
 from patchmill.textures.order import rows
@@ -123,9 +123,8 @@ class PlannedTexture(PlacedTexture):
 
 
 def place_texture(given, progress=None):
-    """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
-
-    Raises InputError naming the property that is wrong."""
+    """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False. Raises
+    InputError naming the property that is wrong."""
     if given.form == "Free":
         fields = free_form.place(given, progress)
     else:
@@ -166,19 +165,19 @@ def _place_lattice(given: TextureInput, progress: Progress) -> Optional[dict]:
     divided = divide(given, plane, sampler, low, high, remarks, _share(progress, 0.0, 0.7))
     if divided is None:
         return None
-    division, on_faces = divided
+    patches, on_faces = divided
     lattice = on_faces and on_faces.lattice
     if on_faces is not None and (given.patches_x or given.patches_y):
-        lattice = lattice.counted_from(division.anchor, division.pattern)
+        lattice = lattice.counted_from(patches.anchor, patches.pattern)
     rest = _share(progress, 0.7 if laying else 0.0, 1.0)
-    dimples = sampler.place(division, plane, given.surface, lattice, rest)
+    dimples = sampler.place(patches, plane, given.surface, lattice, rest)
     if dimples is None:
         return None
     core.sink(dimples, size["sunk"])
     return {
         "input": given,
         "plane": plane,
-        "division": division,
+        "division": patches,
         "dimples": dimples,
         "size": size,
         "lattice": lattice,
@@ -260,6 +259,7 @@ def plan_texture(given, progress=None):
     placed = place_texture(given, progress)
     if placed is None:
         return None
+    division.require_memory(placed.division, division.BYTES_PER_DIMPLE, dict(placed.dimples.counts())["cut"])
     machine = machines.load(placed.input.machine) if placed.input.machine else None
     tried = [
         _paced(replace(placed, remarks=list(placed.remarks)), direction, machine)

@@ -1,0 +1,70 @@
+"""What a job will take is refused before it is taken, with both numbers and what takes less.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import pathlib
+import resource
+import sys
+import unittest
+from unittest import mock
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+import _patchmill as core  # noqa: E402
+from parts import WithDocuments, job_on, tilted_box  # noqa: E402
+from patchmill import InputError  # noqa: E402
+from patchmill.system import memory  # noqa: E402
+from patchmill.textures import division, plan  # noqa: E402
+
+
+class Memory(WithDocuments):
+    def setUp(self):
+        _, op = job_on(*tilted_box())
+        op.PatchSide = 10
+        self.given = op.Proxy.texture_input(op)
+
+    def with_free(self, free, call):
+        with mock.patch.object(memory, "available", return_value=free):
+            return call(self.given)
+
+    def refused(self, free, call):
+        with self.assertRaises(InputError) as caught:
+            self.with_free(free, call)
+        self.assertEqual(caught.exception.property, "Spacing")
+        self.assertRegex(str(caught.exception), r"GB of memory, and .* GB are free: .* larger spacing")
+
+    def test_a_lattice_is_foreseen_before_a_dimple_is_placed(self):
+        points = len(plan.place_texture(self.given).dimples)
+        takes = points * division.BYTES_PER_POINT
+        with mock.patch.object(core.FaceSampler, "place") as place:
+            self.refused(0.99 * takes, plan.place_texture)
+            place.assert_not_called()
+        self.assertEqual(len(self.with_free(1.01 * takes, plan.place_texture).dimples), points)
+
+    def test_what_is_cut_is_foreseen_before_it_is_planned(self):
+        cut = dict(plan.place_texture(self.given).dimples.counts())["cut"]
+        takes = cut * division.BYTES_PER_DIMPLE
+        self.refused(0.99 * takes, plan.plan_texture)
+        self.assertEqual(self.with_free(1.01 * takes, plan.plan_texture).counts["cut"], cut)
+
+    def test_millions_of_dimples_are_refused_where_there_are_few_gigabytes(self):
+        self.given.patches_x, self.given.patches_y = 200, 210  # of 100 dimples: 4.2 million
+        self.refused(1e9, plan.place_texture)
+
+    def test_free_is_no_more_than_the_limit_of_the_process(self):
+        free = memory.available()
+        self.assertGreater(free, 0.0)
+        with open("/proc/self/statm", encoding="ascii") as own:
+            taken = int(own.read().split()[0]) * resource.getpagesize()
+        limits = resource.getrlimit(resource.RLIMIT_AS)
+        resource.setrlimit(resource.RLIMIT_AS, (taken + 64_000_000, limits[1]))
+        try:
+            self.assertLess(memory.available(), 65_000_000)
+        finally:
+            resource.setrlimit(resource.RLIMIT_AS, limits)
+
+
+if __name__ == "__main__":
+    outcome = unittest.main(exit=False, verbosity=2).result
+    sys.exit(0 if outcome.wasSuccessful() and outcome.testsRun else 1)
