@@ -89,6 +89,8 @@ gcode::ProgramSection section_part(const gcode::ProgramSection& whole, std::size
   if (first > 0) part.path.start = moves[first - 1].end;
   part.path.moves = cut(moves, 0);
   part.lines = cut(whole.lines, 0);
+  part.feeds = cut(whole.feeds, 0);
+  part.inverse = cut(whole.inverse, 0);
   if (!whole.angles.empty()) part.angles = cut(whole.angles, 1);
   if (!whole.tcp.empty()) part.tcp = cut(whole.tcp, 0);
   part.unplaced = std::max<std::int64_t>(0, whole.unplaced - static_cast<std::int64_t>(first));
@@ -106,6 +108,16 @@ void bind_reader(py::module_& m) {
       .def_readonly("unplaced", &gcode::ProgramSection::unplaced,
                     "Moves at the beginning that start nobody knows where.")
       .def_readonly("lines", &gcode::ProgramSection::lines)
+      .def_property_readonly(
+          "feeds",
+          [](const gcode::ProgramSection& s) {
+            return column_of<double>(s.feeds, [](double f) { return f; });
+          },
+          "F of each move [mm/min, or 1/min where `inverse`]; nan for rapids, dwells and G33.")
+      .def_property_readonly("inverse",
+                             [](const gcode::ProgramSection& s) {
+                               return column_of<bool>(s.inverse, [](bool on) { return on; });
+                             })
       .def_property_readonly(
           "angles",
           [](const gcode::ProgramSection& s) {

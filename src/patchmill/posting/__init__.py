@@ -7,6 +7,8 @@ import functools
 import importlib
 import re
 import shlex
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from _patchmill import InputError
@@ -17,7 +19,7 @@ from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.machine import calibrated
 from patchmill.operations.base import planned
 from patchmill.operations.copy_input import UNDERCUTS
-from patchmill.posting import control_match, kept_words
+from patchmill.posting import control_match, kept_words, program_header
 from patchmill.textures import strategies
 from patchmill.verify import checks, posted_job, posted_milling
 from patchmill.verify.posted_texture import PostedTexture
@@ -33,6 +35,35 @@ def post(job, filename, post_name=None, arguments=None):
     Raises InputError, leaving no file and an existing one untouched, if an operation is invalid, if the text
     does not hold the plan, or if the tool would gouge or collide (docs/checks.md)."""
     files.require_place(filename)  # before the work, not after it
+    ready = _ready(job, post_name, arguments)
+    text = _single_text(job, ready.post_name, ready.arguments)
+    posted = _read_back(ready, text)
+    _write(filename, text)
+    return posted
+
+
+def read_back(job, filename, post_name=None, arguments=None):
+    """What post() returns, of a program that is there: whether the file holds every operation of `job` as it
+    is now, with nothing beside. Raises InputError naming what is not there or otherwise, and Program if it
+    cannot be read."""
+    ready = _ready(job, post_name, arguments)
+    return _read_back(ready, files.read_text(filename, "Program", other="latin-1"))
+
+
+@dataclass
+class _Ready:
+    """A job that can be posted: what its program is made of and compared with."""
+
+    job: Any
+    post_name: str
+    arguments: str
+    operations: list
+    own: Any  # post_dialect.Dialect of a post of ours, else None
+    decimals: int
+
+
+def _ready(job, post_name, arguments):
+    """_Ready of a job. Raises InputError if an operation is invalid, or cannot be posted so."""
     post_name = post_name or job.PostProcessor
     arguments = job.PostProcessorArgs if arguments is None else arguments
     words = _split(arguments)
@@ -55,18 +86,24 @@ def post(job, filename, post_name=None, arguments=None):
     if tilted:
         require_millimetres(tilted[0].Label, words)
     _check_post(post_name, plans, tilted)
-    text = _single_text(job, post_name, arguments)
+    return _Ready(job, post_name, arguments, operations, own, decimals)
+
+
+def _read_back(ready, text):
+    """What a program holds of a job. Raises InputError naming what it does not, or what gouges."""
+    own, arguments = ready.own, ready.arguments
     if own is None:
-        kept_words.require(post_name, operations, text)
-    half_unit = 0.5 * 10.0**-decimals
-    if "--inches" in words:
+        kept_words.require(ready.post_name, ready.operations, text)
+    half_unit = 0.5 * 10.0**-ready.decimals
+    if "--inches" in _split(arguments):
         half_unit *= 25.4
-    (objects,) = host.post_objects(job, post_name)
-    posted = posted_job.read_back(text, objects, own.dialect if own else "linuxcnc", half_unit)
+    (objects,) = host.post_objects(ready.job, ready.post_name)
+    dialect = own.dialect if own else "linuxcnc"
+    known = kept_words.of_machine(program_header.machine_of(objects), arguments)
+    posted = posted_job.read_back(text, objects, dialect, half_unit, known, own is not None)
     for one in posted:
         if isinstance(one, PostedTexture):
             one.check = checks.require_clear(one.operation, one.path, one.unplaced, blind=one.blind)
-    _write(filename, text)
     return posted
 
 

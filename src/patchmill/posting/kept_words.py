@@ -13,6 +13,18 @@ WORD = re.compile(r"([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))")
 TOOL = ("M3", "M03", "M4", "M04", "M6", "M06")  # S and T, which are compared with the tool controller's
 
 
+def of_machine(machine, arguments):
+    """Words [(letter, value)] that a program has of its own: those of the machines.Machine, or None, and of
+    the texts in a post's arguments."""
+    texts = [arguments.replace("\\n", "\n")]
+    if machine is not None:
+        names = ("smoothing_on", "smoothing_off", "tcp_on", "tcp_off")
+        texts += [machine.controller.get(name, "") for name in names]
+        retract = machine.data.get("retract_mm", {})
+        texts += ["G53 %s%r" % (axis, float(value)) for axis, value in retract.items()]
+    return [(letter, float(number)) for text in texts for letter, number in WORD.findall(text)]
+
+
 def require(post_name, objects, text):
     """Raises InputError naming PostProcessor if the text lacks such a word of one of a job's `objects`."""
     wanted = {word: obj for obj in objects for word in _rare(obj.Path.Commands)}

@@ -15,19 +15,25 @@ from _patchmill import InputError
 from patchmill.freecad import host
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.base import planned
-from patchmill.verify import posted_milling, posted_texture
+from patchmill.verify import posted_between, posted_milling, posted_texture
 from patchmill.verify.posted_program import COMMENT, PostedProgram, offset_number
 
 OTHER_WORDS = r"M(?!0?[26]$|30$)\d+|G(4|04|10|28|30|43|53|92)(\.\d)?"  # that belong to an operation alone
 ALWAYS = (0, 1, 2, 3, 4, 17, 43.4, 49, 61, 64, 80, 90, 90.1, 91.1, 93, 94, 98, 99)  # of common tongue
+CUTS = ("G1", "G01", "G2", "G02", "G3", "G03", "G33")
+BESIDE = "STHDE"  # letters that no move has
 COOLANT = {"Flood": "M8", "Mist": "M7"}
 
 
 class _Reading:
     """A program while its operations are looked for, one after the other."""
 
-    def __init__(self, text, dialect, half_unit):
+    def __init__(self, text, dialect, half_unit, known, own):
         self.program = PostedProgram(text, dialect)
+        self.known, self.own = known, own
+        self.before = None  # the last operation
+        self.between = []  # other objects with paths since then
+        self.end_line = 0  # of the last operation
         self.lines = [COMMENT.sub("", line) for line in text.split("\n")]
         self.dialect, self.half_unit = dialect, half_unit
         self.at = 0  # the move after the last operation
@@ -45,7 +51,10 @@ class _Reading:
         commands = op.Path.Commands
         told = posted_milling.told_by(commands)
         posted, run = posted_milling.find(op, told, self.program, self.half_unit, self.at)
-        posted = self._found(op, posted, run) if len(told) else posted
+        if len(told):
+            posted = self._found(op, posted, run)
+        else:
+            self.between.append(op)
         if not kind_of(op):
             self.due += [(op, self.line, command) for command in commands if _has_other_words(command)]
         return posted
@@ -64,9 +73,29 @@ class _Reading:
         self.due = []
         self.line = line
 
+    def words_between(self, op, line):
+        """The words from the last operation to `op`, which begins in a line, or to the end, are theirs."""
+        objects = [o for o in (self.before, *self.between, op) if o is not None]
+        after = [o for o in (*self.between, op) if o is not None and is_operation(o)]
+        every = [o for o in objects if is_operation(o)]
+        allowed = posted_between.Allowed(
+            objects,
+            [c.ToolNumber for c in map(_controller_of, every) if c is not None],
+            [host.coolant_of(o) for o in after],
+            self.known,
+            self.own,
+            self.before is None,
+            op is None,
+        )
+        stretch = [one for one in self.words if self.end_line < one[0] < line]
+        posted_between.require(stretch, allowed, self.half_unit, self.program.unit, self.lines)
+        self.before, self.between = op, []
+
     def _found(self, op, posted, run):
         self.nothing_between(run.first)
         self.words_until(self.program.line_of(run.first))
+        self.words_between(op, self.program.line_of(run.first))
+        self.end_line = self.program.line_of(run.end - 1)
         self._require_offset(op, run)
         self._require_tool(op, run)
         self._require_coolant(op, run)
@@ -97,8 +126,8 @@ class _Reading:
         controller = _controller_of(op)
         if controller is None:
             return
-        for move in (run.first, run.end - 1):
-            section = self.program.sections[self.program.section_of(move)[0]]
+        first, last = (self.program.section_of(move)[0] for move in (run.first, run.end - 1))
+        for section in self.program.sections[first : last + 1]:
             if section.tool_number not in (0, controller.ToolNumber):
                 remedy = "the program has T%d in the spindle where %s is milled."
                 raise InputError(
@@ -119,11 +148,13 @@ class _Reading:
         own = {(c.Name[0], float(c.Name[1:])) for c in commands if re.fullmatch(r"[GM][\d.]+", c.Name)}
         own |= {(letter, value) for c in commands for letter, value in c.Parameters.items() if letter in "GM"}
         own |= {("G", float(number)) for number in ALWAYS}
-        rounding = []
+        rounding = self._mode_before(commands, lines.start)
+        beside = {(k, round(v, 3)) for c in commands for k, v in c.Parameters.items() if k in BESIDE}
         for number, words in self.words:
             if number not in lines:
                 continue
             other = [word for word in words if word[0] in "GM" and (word[0], round(word[1], 1)) not in own]
+            other += [w for w in words if w[0] in BESIDE and (w[0], round(w[1], 3)) not in beside]
             if other:
                 said = "%s%g in line %d" % (*other[0], number)
                 remedy = "the operation has no such word: use another post-processor."
@@ -132,7 +163,17 @@ class _Reading:
                 rounding.append({k: v for k, v in words if k in "GPQ"})
         wanted = [{"G": float(c.Name[1:])} | c.Parameters for c in commands if c.Name in ("G61", "G64")]
         if self.dialect == "linuxcnc" and kind_of(op) and rounding:
-            _require_in_order(op, _changes(rounding), _changes(wanted))
+            near = 1e-6 if self.own else self.half_unit + 1e-6
+            _require_in_order(op, _changes(rounding), _changes(wanted), near)
+
+    def _mode_before(self, commands, line):
+        """The path mode that is in force before a line, if the operation has said it before its first cut."""
+        names = [c.Name for c in commands]
+        cut = next((k for k, name in enumerate(names) if name in CUTS), len(names))
+        if not {"G61", "G64"} & set(names[:cut]):
+            return []
+        said = (dict(w) for n, w in self.words if n < line and {("G", 61.0), ("G", 64.0)} & set(w))
+        return [{k: v for k, v in words.items() if k in "GPQ"} for words in said][-1:]
 
     def _require_coolant(self, op, run):
         mode = host.coolant_of(op)
@@ -147,13 +188,14 @@ class _Reading:
             raise InputError("CoolantMode", mode, remedy % op.Label)
 
 
-def read_back(text, objects, dialect, half_unit):
+def read_back(text, objects, dialect, half_unit, known=(), own=True):
     """What was read back of a program's `objects`, as FreeCAD handed them to the post-processor: a list of
-    PostedTexture, and then of PostedMilling. `half_unit`: how far numbers are rounded at most [mm, degrees].
-    Raises InputError naming what is not there, or is there otherwise."""
+    PostedTexture, and then of PostedMilling. `half_unit`: how far numbers are rounded at most [mm, degrees];
+    `known`, `own`: see posted_between.Allowed. Raises InputError naming what is not there, or is there
+    otherwise."""
     operations = [o for o in objects if is_operation(o)]
     try:
-        reading = _Reading(text, dialect, half_unit)
+        reading = _Reading(text, dialect, half_unit, known, own)
     except InputError as error:
         if any(kind_of(op) == TEXTURE for op in operations):
             raise
@@ -165,8 +207,11 @@ def read_back(text, objects, dialect, half_unit):
         elif is_operation(obj):
             texture = kind_of(obj) == TEXTURE
             posted.append(reading.texture(obj) if texture else reading.other(obj))
+        if hasattr(obj, "Path") and not is_operation(obj):
+            reading.between.append(obj)
     reading.nothing_between(len(reading.program))
     reading.words_until(math.inf)
+    reading.words_between(None, math.inf)
     textures = [one for one in posted if isinstance(one, posted_texture.PostedTexture)]
     return textures + [one for one in posted if not isinstance(one, posted_texture.PostedTexture)]
 
@@ -176,10 +221,10 @@ def _changes(modes):
     return [mode for number, mode in enumerate(modes) if number == 0 or mode != modes[number - 1]]
 
 
-def _require_in_order(op, found, wanted):
+def _require_in_order(op, found, wanted, near):
     """The modes found are the last ones wanted: those before the first move are not looked at."""
     for mode, right in zip(reversed(found), reversed(wanted)):
-        if mode.keys() != right.keys() or any(abs(mode[k] - right[k]) > 1e-6 for k in mode):
+        if mode.keys() != right.keys() or any(abs(mode[k] - right[k]) > near for k in mode):
             said = " ".join("%s%g" % word for word in mode.items())
             remedy = "the operation has %s there: use another post-processor."
             raise InputError(op.Label, said, remedy % " ".join("%s%g" % word for word in right.items()))

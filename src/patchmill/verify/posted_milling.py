@@ -13,15 +13,16 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.freecad.kinds import COPY_MILLING, DCM, kind_of
-from patchmill.verify.posted_program import PostedProgram, other_angles, trimmed
+from patchmill.verify.posted_program import HALF_LEAD, SAVED_FEED, PostedProgram, other_angles, trimmed
 
 AXES = "XYZABC"
 MOVES = {"G0": False, "G00": False, "G1": True, "G01": True}  # whether it cuts
 DWELLS = ("G4", "G04")
 ARCS = ("G2", "G3", "G02", "G03")
-MODES = ("G73", "G74", "G81", "G82", "G83", "G85", "G86", "G89", "G91", "G53", "G18", "G19", "G20", "G92")
+CYCLES = ("G73", "G74", "G81", "G82", "G83", "G85", "G86", "G89")
+MODES = CYCLES + ("G91", "G53", "G33", "G18", "G19", "G20", "G92")
 NOT_READ = ("G43", "G49", "G61", "G64", "G54", "G55", "G56", "G57", "G58", "G59")  # they move nothing
-SAME_FEED = 1e-3  # of F, or half a mm/min: what a post with few decimals may make of it
+SAME_FEED = 5e-6  # of F: our posts repeat one that is off by less where a control has no inverse time
 
 
 @dataclass
@@ -88,24 +89,32 @@ def find(operation, told, program, half_unit, after=0):
 
 
 def _require_feeds(operation, told, program, run, half_unit):
-    """Every move takes the time that its F says. Where a control has no inverse time, F is of the way before
-    its ends were rounded."""
-    minutes = program.minutes(run.first, run.end)
-    before = program.ends[max(run.first - 1, 0) : run.end]
-    way = np.linalg.norm(np.diff(before[:, :3], axis=0), axis=1)
-    if run.first == 0:
-        way = np.concatenate([[np.nan], way])
-    inverse, wanted = told.inverse[run.owners], told.feeds[run.owners]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        read = np.where(inverse, 1.0 / minutes, np.where(way > 0.0, way / minutes, np.nan))
-        rounded = np.where(inverse & (way > 0.0), 4.0 * half_unit / way * wanted, 0.0)
-    near = np.maximum(SAME_FEED * wanted, np.where(inverse, 2e-3, 0.51)) + rounded
-    off = np.abs(read - wanted) > near
+    """Every move has the F of its path, to the last decimal that the program writes. Where a control has no
+    inverse time, F is of the way before its ends were rounded."""
+    moves = slice(run.first, run.end)
+    read, wanted, inverse = program.feeds[moves], told.feeds[run.owners], told.inverse[run.owners]
+    near = program.half_feed + SAVED_FEED + 1e-9 * np.nan_to_num(wanted)
+    if program.half_minutes < 0.5 / 60.0:  # some are told their time instead
+        near = near + np.where(inverse & program.inverse[moves], program.half_minutes * wanted**2, 0.0)
+    replaced = inverse & ~program.inverse[moves]
+    if replaced.any():
+        way = program.lengths(run.first, run.end)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            near = np.where(replaced, near + 4.0 * half_unit * wanted + SAME_FEED * way * wanted, near)
+            wanted = np.where(replaced, np.where(way > 0.0, way * wanted, np.nan), wanted)
+    with np.errstate(invalid="ignore"):
+        off = (np.abs(read - wanted) > near) | (program.inverse[moves] & ~inverse & ~np.isnan(wanted))
+        off |= np.isnan(read) & ~np.isnan(wanted)
+        leads, slants = program.leads(run.first, run.end)
+        off |= np.abs(leads - told.leads[run.owners]) > HALF_LEAD * slants
     if off.any():
         move = int(np.flatnonzero(off)[0])
-        unit = "1/min" if inverse[move] else "mm/min"
-        said = "F %.4g %s in line %d" % (read[move], unit, program.line_of(run.first + move))
-        remedy = "the operation has F %.4g there: use another post-processor." % wanted[move]
+        unit = "1/min" if program.inverse[moves][move] else "mm/min"
+        said = "F %.9g %s in line %d" % (read[move], unit, program.line_of(run.first + move))
+        remedy = "the operation has F %.9g there: use another post-processor." % wanted[move]
+        if not np.isnan(leads[move]):
+            said = "a lead of %.6f mm in line %d" % (leads[move], program.line_of(run.first + move))
+            remedy = "the operation has another one there: use another post-processor."
         raise InputError(operation.Label, said, remedy)
 
 
@@ -155,8 +164,6 @@ def _told_by_reading(commands):
         return trimmed(np.zeros((0, 6)), np.zeros(0, bool))
     line = np.concatenate([s.lines for s in program.sections]) - 1
     arc = np.array([kind in ARCS for kind in kinds])[line]
-    minutes, ends = program.minutes(0, len(program)), program.ends
-    way = np.concatenate([[np.nan], np.linalg.norm(np.diff(ends[:, :3], axis=0), axis=1)])
-    with np.errstate(divide="ignore", invalid="ignore"):
-        feeds = np.where(way > 0.0, way / minutes, np.nan)
-    return trimmed(ends, program.cuts, feeds, None, np.where(arc, line, -1))
+    leads, _ = program.leads(0, len(program))
+    arcs = np.where(arc, line, -1)
+    return trimmed(program.ends, program.cuts, program.feeds, program.inverse, arcs, leads)

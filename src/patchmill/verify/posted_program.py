@@ -12,6 +12,8 @@ import _patchmill as core
 import numpy as np
 
 ROUNDED_TWICE = 1e-6  # mm, degrees: posts that take FreeCAD's text of a path round what has six decimals
+HALF_LEAD = 0.51e-6  # mm: K has six decimals
+SAVED_FEED = 3.1e-5  # mm/min, 1/min: FreeCAD's text has F in mm/s, 1/s with six decimals
 CHORD_ERROR = 1e-3  # mm, of arcs as they are read
 COMMENT = re.compile(r"\([^)]*\)|;.*")
 
@@ -26,13 +28,15 @@ class Told:
     """The moves of an operation from the first to the last that takes time. `ends`: (n, 6) of X Y Z [mm] and
     A B C [degrees], nan where no word said it yet; `cuts`: whether each is a feed move or a dwell; `feeds`:
     [mm/min, or 1/min where `inverse`], nan where nothing is to be compared; `arcs`: moves that follow each
-    other with the same number, of 0 or more, are chords of an arc, which others may cut into other chords."""
+    other with the same number, of 0 or more, are chords of an arc, which others may cut into other chords;
+    `leads`: of moves that follow the spindle [mm per turn], nan of others."""
 
     ends: np.ndarray
     cuts: np.ndarray
     feeds: np.ndarray
     inverse: np.ndarray
     arcs: np.ndarray
+    leads: np.ndarray
 
     def __len__(self):
         return len(self.cuts)
@@ -59,6 +63,12 @@ class PostedProgram:
         self.begins = np.cumsum([0] + [len(s.path) for s in self.sections])
         self.ends = _stacked([np.hstack([s.path.tips, np.degrees(s.angles[1:])]) for s in self.sections], 6)
         self.cuts = np.concatenate([s.path.kinds > 0 for s in self.sections] or [np.zeros(0, bool)])
+        self.feeds = np.concatenate([s.feeds for s in self.sections] or [np.zeros(0)])
+        self.inverse = np.concatenate([s.inverse for s in self.sections] or [np.zeros(0, bool)])
+        code = COMMENT.sub("", text)
+        self.unit = 25.4 if re.search(r"\bG20\b", code) else 1.0  # mm per unit of lengths
+        self.half_feed = self.unit * _half_last(r"F\+?\d+\.?(\d*)", code)  # rounding of F words
+        self.half_minutes = _half_last(r"FT\d+\.?(\d*)", code) / 60.0  # of moves that are told their time
 
     def __len__(self):
         return len(self.cuts)
@@ -113,12 +123,27 @@ class PostedProgram:
         said = self.sections[self.section_of(move)[0]].offset
         return offset_number(said) if said else None
 
-    def minutes(self, first, end):
-        """What each move takes [min], nan where it is not known."""
-        turns = np.concatenate([s.path.turns for s in self.sections])
-        speeds = np.concatenate([np.full(len(s.path), s.path.spindle.speed) for s in self.sections])
+    def leads(self, first, end):
+        """(leads [mm per turn] of moves that follow the spindle, nan of others; how many times as long the
+        way of each is as its part along the axis that moves most, which some controls go by)."""
+        turns = np.concatenate([s.path.turns for s in self.sections])[first:end]
+        steps = np.diff(self.ends[max(first - 1, 0) : end, :3], axis=0)
+        steps = np.vstack([np.full((1, 3), np.nan), steps]) if first == 0 else steps
+        way, longest = np.linalg.norm(steps, axis=1), np.abs(steps).max(axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
-            return np.where(speeds > 0.0, turns / (60.0 * speeds), np.nan)[first:end]
+            locked = self.cuts[first:end] & np.isnan(self.feeds[first:end]) & (way > 0.0)
+            return np.where(locked, way / turns, np.nan), way / longest
+
+    def lengths(self, first, end):
+        """The way of X Y Z that each move goes [mm], nan where its start is not known."""
+        points = self.ends[max(first - 1, 0) : end, :3]
+        way = np.linalg.norm(np.diff(points, axis=0), axis=1)
+        return np.concatenate([[np.nan], way]) if first == 0 else way
+
+
+def _half_last(pattern, code):
+    """Half a unit of the last decimal of words of a pattern whose group is the decimals."""
+    return 0.5 * 10.0 ** -max((len(decimals) for decimals in re.findall(pattern, code)), default=0)
 
 
 def offset_number(name):
@@ -185,14 +210,15 @@ def _along_arc(chords, read, read_cuts, near):
     return 0
 
 
-def trimmed(ends, cuts, feeds=None, inverse=None, arcs=None):
+def trimmed(ends, cuts, feeds=None, inverse=None, arcs=None, leads=None):
     """Told of moves, from the first to the last that takes time."""
     where = np.flatnonzero(cuts)
     run = slice(where[0], where[-1] + 1) if len(where) else slice(0, 0)
     feeds = np.full(len(cuts), np.nan) if feeds is None else feeds
     inverse = np.zeros(len(cuts), bool) if inverse is None else inverse
     arcs = np.full(len(cuts), -1) if arcs is None else arcs
-    return Told(ends[run], cuts[run], feeds[run], inverse[run], arcs[run])
+    leads = np.full(len(cuts), np.nan) if leads is None else leads
+    return Told(ends[run], cuts[run], feeds[run], inverse[run], arcs[run], leads[run])
 
 
 def other_angles(program, told, half_unit, after):

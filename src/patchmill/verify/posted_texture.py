@@ -13,7 +13,9 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.textures import strategies, tool_posture
-from patchmill.verify.posted_program import other_angles, trimmed
+from patchmill.verify.posted_program import HALF_LEAD, SAVED_FEED, other_angles, trimmed
+
+SAME_TIME = 5e-6  # of a move's: see posted_milling.SAME_FEED
 
 
 @dataclass
@@ -70,15 +72,15 @@ def find(operation, plan, told, program, after):
             operation.Label, said, "the post-processor changed the path: use another one."
         )
     _check_spindle(plan, path)
+    _require_paces(operation, plan, section, program)
     blind = program.lowest_blind(section.lines[: section.unplaced])
     errors = _errors(operation, plan, path)
     return PostedTexture(operation, path, match, errors, section.unplaced, blind=blind), run
 
 
 def _errors(op, plan, path):
-    """Phase errors of what was read back. Raises InputError if they, or the paces, are not the plan's."""
+    """Phase errors of what was read back. Raises InputError if they are not the plan's."""
     if not strategies.of(plan.input.strategy).phase_in_text:
-        _check_paces(op, plan, path)
         return plan.predicted_errors()
     errors = plan.phase_errors(path)
     largest = math.degrees(errors["largest"])
@@ -92,27 +94,47 @@ def _errors(op, plan, path):
     return errors
 
 
-def _check_paces(op, plan, path):
-    """Every timed move of the text takes the turns that the planned words say: K and F are whole."""
-    spindle = plan.input.spindle
-    head = "%s S%d\n" % (spindle.sense, round(60.0 * spindle.speed))
+def _require_paces(op, plan, section, program):
+    """Every timed move of a section has the F or K that the planned words say, to the last decimal that the
+    program writes. Where a control has no inverse time, F is what takes as long."""
+    head = "%s S%d\n" % (plan.input.spindle.sense, round(60.0 * plan.input.spindle.speed))
     words = re.sub(
-        r"F([0-9.]+)", lambda f: "F%.6f" % (60.0 * float(f.group(1))), str(plan.pacing.text)
+        r"F([0-9.]+)", lambda f: "F%.9f" % (60.0 * float(f.group(1))), str(plan.pacing.text)
     )
-    rotary = plan.posture is not None
-    planned_path = core.read_gcode(head + words, plan.input.tool, rotary=rotary)[-1].path
-    core.match_plan(planned_path, plan.posture.told.path if rotary else plan.path, 1e-6)
-    timed = [p.turns[p.kinds > 0] for p in (planned_path, path)]
-    if len(timed[0]) == len(timed[1]):
-        both_unknown = np.isnan(timed[0]) & np.isnan(timed[1])
-        off = np.where(both_unknown, 0.0, np.abs(timed[0] - timed[1]) / np.maximum(timed[0], 1e-3))
-        if np.nanmax(off) < 1e-4 and not np.isnan(off).any():
+    planned = core.read_gcode(head + words, plan.input.tool, rotary=plan.posture is not None)[-1]
+    want, have = (_paces(one) for one in (planned, section))
+    if len(want["feeds"]) == len(have["feeds"]):
+        near = program.half_feed + SAVED_FEED + 1e-9 * np.nan_to_num(want["feeds"])
+        off = np.abs(want["feeds"] - have["feeds"]) > near
+        off |= np.isnan(want["feeds"]) != np.isnan(have["feeds"])
+        off |= np.abs(want["leads"] - have["leads"]) > HALF_LEAD * have["slants"]
+        other = want["inverse"] != have["inverse"]
+        timed = np.abs(want["turns"] - have["turns"]) > want["turns"] * (
+            SAME_TIME + program.half_feed / np.nan_to_num(have["feeds"], nan=1.0)
+        )
+        off = np.where(other & ~np.isnan(want["turns"]), timed, off)
+        if not off.any():
             return
-    raise InputError(
-        op.Label,
-        "other K or F words",
-        "the post-processor does not keep them: use patchmill_linuxcnc.",
-    )
+        line = section.lines[int(have["moves"][np.flatnonzero(off)[0]])]
+        said = "other K or F words in line %d" % line
+    else:
+        said = "other K or F words"
+    raise InputError(op.Label, said, "the post-processor does not keep them: use patchmill_linuxcnc.")
+
+
+def _paces(section):
+    """What the timed moves of a section are told, by name, and their numbers under "moves"."""
+    path = section.path
+    moves = np.flatnonzero(path.kinds > 0)
+    steps = np.diff(np.vstack([np.array(path.start)[None], path.tips]), axis=0)
+    way, longest = np.linalg.norm(steps, axis=1), np.abs(steps).max(axis=1)
+    locked = np.isnan(section.feeds)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        leads = np.where(locked, way / path.turns, np.nan)
+        slants = way / longest
+    named = {"feeds": section.feeds, "inverse": section.inverse & ~locked, "leads": leads}
+    named |= {"turns": path.turns, "slants": slants}
+    return {name: values[moves] for name, values in named.items()} | {"moves": moves}
 
 
 def _check_spindle(plan, path):

@@ -111,11 +111,13 @@ from _patchmill.patch import cover_lattice as cover_lattice
 from _patchmill.patch import curve_mask as curve_mask
 from _patchmill.patch import drop_slivers as drop_slivers
 from _patchmill.patch import flattest_row_direction as flattest_row_direction
+from _patchmill.patch import from_patch as from_patch
 from _patchmill.patch import image_mask as image_mask
 from _patchmill.patch import in_rows as in_rows
 from _patchmill.patch import keep_where as keep_where
 from _patchmill.patch import lay_lattice as lay_lattice
 from _patchmill.patch import least_patch_side as least_patch_side
+from _patchmill.patch import milled_patches as milled_patches
 from _patchmill.patch import nearest_row_direction as nearest_row_direction
 from _patchmill.patch import nearest_start as nearest_start
 from _patchmill.patch import patch_block as patch_block

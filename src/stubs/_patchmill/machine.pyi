@@ -111,6 +111,13 @@ class ProgramSection:
         """A, B and C at the start and at the end of each move [rad], (n + 1, 3)."""
         ...
     @property
+    def feeds(self) -> numpy.typing.NDArray[numpy.float64]:
+        """F of each move [mm/min, or 1/min where `inverse`]; nan for rapids, dwells and G33."""
+        ...
+    @property
+    def inverse(self) -> numpy.typing.NDArray[numpy.bool_]:
+        ...
+    @property
     def lines(self) -> list[int]:
         ...
     @property

@@ -140,6 +140,9 @@ def drop_slivers(dimples: Dimples, least: int) -> None:
 def flattest_row_direction(dimples: Dimples, pattern: PatchPattern) -> int:
     """Which of the lattice's steps bends least over the dimples that are to be cut."""
     ...
+def from_patch(dimples: Dimples, first: int) -> Dimples:
+    """The dimples from patch `first` (1: all) in milling order on. Raises InputError naming FirstPatch."""
+    ...
 def image_mask(pixels: numpy.typing.ArrayLike, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, outside: float = 0.0) -> Mask:
     """Grey rows from the top, 0 to 1, laid on the rectangle from `low` to `high` [mm]."""
     ...
@@ -154,6 +157,9 @@ def lay_lattice(pattern: PatchPattern, sampler: _patchmill.brep.FaceSampler, pla
     ...
 def least_patch_side(shape: str) -> int:
     """The smallest side that a patch may have."""
+    ...
+def milled_patches(dimples: Dimples) -> list[int]:
+    """Numbers of the patches that have dimples to be cut, in milling order."""
     ...
 def nearest_row_direction(pattern: PatchPattern, direction: numpy.typing.ArrayLike) -> int:
     """Which of the lattice's steps goes nearest to a direction of the texture plane."""

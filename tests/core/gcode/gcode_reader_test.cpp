@@ -163,5 +163,36 @@ TEST(FreecadText, RefusesAPathThatIsNotOfConstantFeed) {
   EXPECT_THROW(freecad_text(path, 2.1, Decimals(3)), InputError);
 }
 
+TEST(ReadGcode, SaysTheFeedOfEachMove) {
+  const auto sections = read_gcode(
+                            "M3 S600\nG0 X0 Y0 Z5\nG1 Z0 F120.5\nX3\nG93 G1 X4 F2\nG94\nG33 X5 "
+                            "K0.5\nG0 Z5\nG1 X6 F7\n",
+                            kTool)
+                            .sections;
+  ASSERT_EQ(sections.size(), 1u);
+  const std::vector<double>& feeds = sections[0].feeds;
+  const std::vector<double> wanted = {-1, 120.5, 120.5, 2, -1, -1, 7};
+  ASSERT_EQ(feeds.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    EXPECT_TRUE(wanted[i] < 0 ? std::isnan(feeds[i]) : feeds[i] == wanted[i]) << i;
+  EXPECT_EQ(sections[0].inverse,
+            (std::vector<bool>{false, false, false, true, false, false, false}));
+}
+
+TEST(ReadGcode, WordsOfArcsAreRefusedInStraightMoves) {
+  const std::string begin = "M3 S600\nG0 X0 Y0 Z5\nG1 Z1 F100\n";
+  EXPECT_NO_THROW(read_gcode(begin + "X3 Y1\n", kTool));
+  for (const char* word : {"I1", "J1", "K1", "R1"})
+    EXPECT_THROW(read_gcode(begin + word + " X3 Y1\n", kTool), InputError) << word;
+}
+
+TEST(ReadGcode, ALeadOfAnotherAxisIsRefused) {
+  const ReadOptions siemens{&control_of("siemens")};
+  const std::string begin = "G0 X0 Y0 Z5\nS600 M3\n";
+  EXPECT_NO_THROW(read_gcode(begin + "G33 X3 Y1 I0.5\n", kTool, siemens));
+  EXPECT_THROW(read_gcode(begin + "G33 X3 Y1 I0.5 K4\n", kTool, siemens), InputError);
+  EXPECT_THROW(read_gcode(begin + "G33 X3 Y1 J0.5\n", kTool, siemens), InputError);
+}
+
 }  // namespace
 }  // namespace patchmill::gcode

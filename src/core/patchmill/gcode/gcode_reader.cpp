@@ -78,6 +78,10 @@ void Reader::move(const GcodeBlock& block) {
 
 void Reader::straight(const GcodeBlock& block, const Vec3& end, const std::array<double, 3>& angles,
                       bool was_known) {
+  if (state_.motion != MotionMode::Synchronised &&
+      (!std::isnan(block.r) ||
+       !std::all_of(block.lead, block.lead + 3, [](double w) { return std::isnan(w); })))
+    refuse_block(block, "I, J, K and R belong to no straight move.");
   double turned = 0.0;
   for (std::size_t i = 0; i < 3; ++i) turned = std::hypot(turned, angles[i] - state_.angles[i]);
   const Vec3 way = end - state_.at;
@@ -222,6 +226,9 @@ void Reader::append(const Vec3& end, const std::array<double, 3>& angles, double
   }
   path.moves.push_back({{end, Vec3::UnitZ()}, turns, kNoDimple, kind});
   section_.lines.push_back(line);
+  const bool has_feed = kind == MoveKind::Cut && state_.motion != MotionMode::Synchronised;
+  section_.feeds.push_back(has_feed ? state_.feed : kUnknownTurns);
+  section_.inverse.push_back(state_.mode == FeedMode::InverseTime);
   if (options_.rotary) {
     section_.angles.push_back(radians(angles));
     section_.tcp.push_back(state_.tcp);
@@ -246,6 +253,10 @@ void each_line(std::string_view text, const Line& line) {
 }
 
 }  // namespace
+
+void refuse_block(const GcodeBlock& block, const std::string& why) {
+  refuse_gcode(block.number, std::string(block.text), why);
+}
 
 Program read_gcode(std::string_view text, const Tool& tool, const ReadOptions& options) {
   Reader reader(tool, options);

@@ -20,6 +20,9 @@ struct ProgramSection {
   std::string offset;       ///< "G55", "G54.1 P3", "preset 2"; "" while the program has named none
   ToolPath path;            ///< tool: radius as given, axis +Z; dimple numbers are unset
   std::vector<long> lines;  ///< line of the text (from 1) that made each move
+  /// F in force in each move: mm/min, or 1/min where `inverse`; NaN for rapids, dwells and G33, which have none.
+  std::vector<double> feeds;
+  std::vector<bool> inverse;  ///< whether G93 was in force in each move
   std::int64_t unplaced = 0;  ///< moves at the beginning that start nobody knows where
   /// A, B and C at the start and at the end of each move [rad]; empty if rotary words are refused.
   std::vector<std::array<double, 3>> angles;

@@ -247,6 +247,8 @@ double lead_of(const GcodeBlock& block, const GcodeState& state, const Control& 
   const double lead = along_path                            ? block.lead[2]
                       : control.can.lead_letters.size() > 1 ? block.lead[most]
                                                             : block.f;
+  if (std::count_if(block.lead, block.lead + 3, [](double one) { return !std::isnan(one); }) > 1)
+    refuse_block(block, "G33 has more than one lead.");
   if (!(lead > 0.0))
     refuse_block(block,
                  fmt::format("G33 needs a lead ({}) greater than zero.", control.can.lead_letters));
@@ -291,10 +293,6 @@ GcodeBlock read_block(std::string_view text, long number, const ReadOptions& opt
       !(std::isnan(block.p) && std::isnan(block.q) && std::isnan(block.l)))
     refuse_block(block, "P, Q and L belong to no word of the block.");
   return block;
-}
-
-void refuse_block(const GcodeBlock& block, const std::string& why) {
-  refuse_gcode(block.number, std::string(block.text), why);
 }
 
 }  // namespace patchmill::gcode
