@@ -43,6 +43,8 @@ _LAZY = {
     "recompute": ("patchmill.operations.texture_operation", "recompute"),
     "best_speed": ("patchmill.verify.best_speed", "best_speed"),
     "post": ("patchmill.posting", "post"),
+    "read_back": ("patchmill.posting", "read_back"),
+    "resume": ("patchmill.posting.resume", "resume"),
     "simulate": ("patchmill.verify.simulation", "simulate"),
     "check": ("patchmill.verify.checks", "check"),
     "measured": ("patchmill.surface.files", "load"),

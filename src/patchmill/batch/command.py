@@ -2,6 +2,7 @@
 
     patchmill run RECIPE -o OUT [-j N] [--resume]
     patchmill run *.step --recipe mould.json -o OUT
+    patchmill check DOCUMENT PROGRAM [--job NAME] [--post NAME]
     patchmill compare OLD/index.json NEW/index.json
     patchmill report OUT
     patchmill machines
@@ -21,7 +22,7 @@ import time
 from typing import Any, Dict, List, Optional
 
 import patchmill
-from patchmill.batch import cluster, compare, index, outputs, recipe
+from patchmill.batch import cluster, compare, index, outputs, program_check, recipe
 from patchmill.batch import run as batch
 from patchmill.batch.problem import BatchError
 from patchmill.install import doctor
@@ -68,6 +69,12 @@ def _parser() -> argparse.ArgumentParser:
         "-v", "--verbose", action="store_true", help="tell each part's log, for a bug report"
     )
     run.set_defaults(do=_run)
+    check = calls.add_parser("check", help="read a program back against the job of a document")
+    check.add_argument("document", metavar="DOCUMENT")
+    check.add_argument("program", metavar="PROGRAM")
+    check.add_argument("--job", default="", help="name or label of the job, if there are several")
+    check.add_argument("--post", default="", help="post-processor that made it (the job's)")
+    check.set_defaults(do=lambda o: program_check.in_freecad(o.document, o.program, o.job, o.post))
     both = calls.add_parser("compare", help="hold two indexes against each other")
     both.add_argument("old")
     both.add_argument("new")
