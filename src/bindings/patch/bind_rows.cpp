@@ -3,11 +3,18 @@
 #include "bindings/bindings.h"
 #include "patchmill/geometry/require.h"
 #include "patchmill/patch/division.h"
+#include "patchmill/patch/patch_order.h"
 #include "patchmill/patch/row_order.h"
 
 namespace patchmill {
 
 void bind_rows(py::module_& m) {
+  m.def("milled_patches", &patch::milled_patches, py::arg("dimples"),
+        "Numbers of the patches that have dimples to be cut, in milling order.");
+  m.def("from_patch", &patch::from_patch, py::arg("dimples"), py::arg("first"),
+        py::call_guard<py::gil_scoped_release>(),
+        "The dimples from patch `first` (1: all) in milling order on. Raises InputError naming "
+        "FirstPatch.");
   m.def(
       "in_rows",
       [](const patch::Dimples& dimples, const patch::PatchPattern& pattern, std::size_t direction,

@@ -16,6 +16,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import host, kinds, made_from, tool_controller
 from patchmill.geometry import shapes
+from patchmill.operations import patch_comments
 from patchmill.operations.base import BallEndOperation
 from patchmill.operations.base import planned, recompute  # noqa: F401  for macros
 from patchmill.path.read_text import path_of
@@ -47,6 +48,8 @@ def prepare(given, progress=None):
         if progress and not progress(0.8 + 0.2 * number / len(text)):
             return None
         commands.extend(path_of(text[number]).Commands)
+    if plan.input.patch_comments:
+        commands = patch_comments.numbered(plan, commands)
     return ReadyTexture(plan, commands if plan.posture else host.begin_upright(commands))
 
 

@@ -43,6 +43,8 @@ def _texture(op):
     turns = statistics["cut_turns"] / max(1, statistics["dimples"])
     yield "Part: %s" % op.Document.Label
     yield "Texture: %s, %d dimples" % (op.Label, statistics["dimples"])
+    if given.first_patch > 1:
+        yield "Begins with patch %d of %d" % (given.first_patch, plan.patches)
     yield "Tool: ball end mill D%g, %d flutes, S%g %s" % (
         2.0 * given.tool.radius,
         given.tool.flutes,

@@ -36,4 +36,18 @@ ROW_PROPERTIES = [
         "Mill all rows in the same sense; otherwise to and fro",
         False,
     ),
+    (
+        "App::PropertyInteger",
+        "FirstPatch",
+        "Texture",
+        "Number of the patch, in milling order, with which the program begins; 1: all are milled",
+        1,
+    ),
+    (
+        "App::PropertyBool",
+        "PatchComments",
+        "Texture",
+        "Begin each patch with a comment that has its number",
+        False,
+    ),
 ]

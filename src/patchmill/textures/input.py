@@ -77,6 +77,8 @@ class TextureInput:
     cross_feed: float = 0.5
     feed_per_tooth: float = 0.0
     plane_fit: str = "Best fit"
+    first_patch: int = field(default=1, kw_only=True)  # of those in milling order, from 1
+    patch_comments: bool = field(default=False, kw_only=True)
     calibrating: bool = False  # the machine's start phase is being looked for, not applied
 
     @property

@@ -28,3 +28,10 @@ def outlines_on_faces(placed, pieces=8):
     places = np.full((len(points), 3), np.nan)
     places[known] = found
     return np.split(places, np.cumsum([len(line) for line in flat])[:-1])
+
+
+def in_pieces(corners, pieces):
+    """The closed polygon through (n, 2) corners with each side in so many pieces."""
+    share = np.arange(pieces)[:, None] / pieces
+    sides = [a + share * (b - a) for a, b in zip(corners, np.roll(corners, -1, axis=0))]
+    return np.concatenate(sides)

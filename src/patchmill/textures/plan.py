@@ -18,6 +18,7 @@ from patchmill.textures import division, free_form, heights, laid, masks, strate
 from patchmill.textures.division import divide, require_apart, sampler_on, texture_size
 from patchmill.textures.input import TextureInput
 from patchmill.textures.order import rows
+from patchmill.textures.outlines import in_pieces
 
 __all__ = ["PlacedTexture", "PlannedTexture", "TextureInput", "place_texture", "plan_texture"]
 
@@ -41,6 +42,8 @@ class PlacedTexture:
     asked: TextureInput = None  # as it was given; `input` has its sizes completed
     laid: core.LaidOnFaces = None  # of a lattice laid on the surface
     remarks: list = field(default_factory=list)  # sentences: what was decided for the user
+    direction: Optional[int] = None  # of rows: see rows.ordered
+    patches: int = 0  # with dimples to be cut, before FirstPatch leaves some out
     free: core.FreeTexture = None  # of Matsuda's free form; then `division` are the patches' stands
 
     def places(self):
@@ -55,11 +58,11 @@ class PlacedTexture:
         """Each patch's outline in the texture plane [mm], a list of (k, 2), each side cut into `pieces`
         (of 8 at least on a lattice laid on the surface); NaN where the lattice or the faces end."""
         if self.free is not None:
-            return [_cut(self._on_plane(o), pieces) for o in self.free.outlines()]
+            return [in_pieces(self._on_plane(o), pieces) for o in self.free.outlines()]
         if self.lattice is None:
-            return [_cut(o, pieces) for o in self.division.outlines()]
+            return [in_pieces(o, pieces) for o in self.division.outlines()]
         corners = self.division.lattice_outlines()
-        return [self.lattice.places(_cut(c, max(8, pieces))) for c in corners]
+        return [self.lattice.places(in_pieces(c, max(8, pieces))) for c in corners]
 
     def _on_plane(self, points):
         from_origin = np.asarray(points) - self.plane.origin
@@ -79,13 +82,6 @@ class PlacedTexture:
         """How many milled dimples are so near to the tool's tip that it rubs in them."""
         tilts = core.tilts(self.dimples, VERTICAL)[self.dimples.states == 0]
         return int((tilts < self.size["least_tilt"]).sum())
-
-
-def _cut(corners, pieces):
-    """The closed polygon through (n, 2) corners with each side in so many pieces."""
-    share = np.arange(pieces)[:, None] / pieces
-    sides = [a + share * (b - a) for a, b in zip(corners, np.roll(corners, -1, axis=0))]
-    return np.concatenate(sides)
 
 
 @dataclass
@@ -265,12 +261,19 @@ def plan_texture(given, progress=None):
         _paced(replace(placed, remarks=list(placed.remarks)), direction, machine)
         for direction in rows.candidates(placed.input, placed.division)
     ]
-    return min(tried, key=lambda plan: plan.path.statistics()["timed_seconds"])
+    best = min(tried, key=lambda plan: plan.path.statistics()["timed_seconds"])
+    if placed.input.first_patch == 1:
+        return best
+    return _paced(placed, best.direction, machine, best)
 
 
-def _paced(placed, direction, machine):
-    """PlannedTexture of a PlacedTexture. `direction`: see rows.ordered. Raises InputError."""
+def _paced(placed, direction, machine, whole=None):
+    """PlannedTexture of a PlacedTexture. `direction`: see rows.ordered. `whole`: the PlannedTexture whose
+    patches from FirstPatch on are to be milled, in its phase. Raises InputError."""
     _put_in_order(placed, direction)
+    placed.direction, placed.patches = direction, len(core.milled_patches(placed.dimples))
+    if whole is not None:
+        placed.dimples = rows.from_patch(placed)
     given, dimples = placed.input, placed.dimples
     counts = dict(dimples.counts())
     _require_some(counts)
@@ -292,6 +295,6 @@ def _paced(placed, direction, machine):
             given,
             dimples,
             placed.remarks,
-            lambda g: strategies.make(g, dimples, rule, machine, posture=posture),
+            lambda g: strategies.make(g, dimples, rule, machine, posture=posture, whole=whole),
         )
     return PlannedTexture(**vars(placed), rule=rule, pacing=pacing, machine=machine, counts=counts)

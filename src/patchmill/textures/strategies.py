@@ -7,6 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 from dataclasses import dataclass
 
 import _patchmill as core
+import numpy as np
 
 from patchmill.textures import tool_posture
 from patchmill.textures.strategy.table import NAMES, of  # noqa: F401  also for those that choose
@@ -28,10 +29,10 @@ class Pacing:
     posture: object = None  # tool_posture.Posture where rotary axes are used
 
 
-def make(given, dimples, rule, machine, path_of=None, posture=None):
+def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None):
     """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None, `posture` a
     tool_posture.Posture or None; `path_of`, if given, makes the ToolPath of a Spindle instead of the
-    strategy.
+    strategy; `whole` is a plan whose last dimples these are: a locked path gets its phase.
     Raises InputError naming Strategy, Machine or what the core names."""
     strategy = of(given.strategy)
     strategy.require(machine)
@@ -53,12 +54,25 @@ def make(given, dimples, rule, machine, path_of=None, posture=None):
     if machine is not None:
         verdict = core.judge_plan(plan, dimples, given.tool, given.spindle, rule, machine.model)
         period = core.phase_period(given.tool.flutes, rule)
-        if not given.calibrating and machine.start_phase:
-            path = core.with_start_phase(path, machine.start_phase % period, period, given.decimals)
+        start = 0.0 if given.calibrating else machine.start_phase % period
+        if whole is not None and given.strategy == LOCKED:
+            start = _phase_behind(path, whole.path) % period
+        if start:
+            path = core.with_start_phase(path, start, period, given.decimals)
     if posture is not None:
         text = tool_posture.finish(posture, path, given, machine)
         return Pacing(posture.work.path, text, feed, verdict, clearance, posture)
     return Pacing(path, strategy.text(given, path, feed, machine), feed, verdict, clearance)
+
+
+def _phase_behind(path, whole):
+    """By how much [rad] the spindle has turned more when `path`, whose dimples are the last ones of `whole`,
+    comes to its first one than when `whole` comes there, each counted from where its lock begins."""
+    turned = []
+    for one, number in ((path, 0), (whole, -np.count_nonzero(path.dimples >= 0))):
+        turns = np.cumsum(np.where(one.kinds > 0, one.turns, 0.0))
+        turned.append(turns[one.dimples >= 0][number])
+    return 2.0 * np.pi * (turned[0] - turned[1])
 
 
 def path_at(given, dimples, rule, machine, spindle, posture=None):

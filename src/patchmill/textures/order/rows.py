@@ -65,3 +65,11 @@ def _direction(given, dimples, pattern):
         along = (1.0, 0.0) if given.row_direction == ALONG_X else (0.0, 1.0)
         return core.nearest_row_direction(pattern, along)
     return core.flattest_row_direction(dimples, pattern)
+
+
+def from_patch(placed):
+    """The dimples of a PlacedTexture from its FirstPatch on. Raises InputError naming FirstPatch."""
+    number = placed.input.first_patch
+    if placed.free is not None:
+        raise InputError("FirstPatch", number, "the free form is milled as a whole: give 1.")
+    return core.from_patch(placed.dimples, number)
