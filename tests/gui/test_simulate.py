@@ -8,6 +8,7 @@ import tempfile
 
 import FreeCADGui
 import driver
+import hands
 import numpy as np
 import patchmill
 from patchmill.verify import checks
@@ -40,6 +41,27 @@ class Simulate(driver.TexturedTest):
         self.assertEqual(self.root.getNumChildren(), self.before)
         self.operation.ViewObject.Show = "Dimples"
         self.assertFalse(scene.shown("relief"))
+
+    def test_the_relief_is_saved_by_a_click(self):
+        panel = SimulatePanel(self.operation)
+        FreeCADGui.Control.showDialog(panel)
+        panel.size.setValue(2.0)
+        self.assertFalse(panel.saving.isEnabled())
+        hands.click(panel.button)
+        self.assertTrue(driver.wait(lambda: panel.result is not None or panel.error is not None))
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("relief.x3p", "relief.stl", "relief.dimples.csv"):
+                driver.answer_file_dialog(os.path.join(folder, name))
+                hands.click(panel.saving)
+                self.assertTrue(driver.wait(lambda: os.path.exists(os.path.join(folder, name)), 60), name)
+            read = patchmill.measured(os.path.join(folder, "relief.x3p"))
+            np.testing.assert_allclose(read.heights, panel.result.heights, atol=1e-12)
+            driver.answer_file_dialog(os.path.join(folder, "relief.doc"))
+            hands.click(panel.saving)
+            self.assertTrue(driver.wait(lambda: panel.error is not None))
+            self.assertIn(".x3p", panel.text.text())
+            self.assertNotIn("relief.doc", os.listdir(folder))
+        panel.reject()
 
     def test_the_commands_open_their_panels(self):
         for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):

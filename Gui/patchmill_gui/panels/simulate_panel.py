@@ -3,6 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import FreeCADGui
 import html
 import patchmill
 from _patchmill import InputError
@@ -11,7 +12,7 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.number_box import NumberBox
 from patchmill_gui.forms.choice_rows import MachineBox
-from patchmill_gui.forms.widgets import guard_editors, let_shrink, translate
+from patchmill_gui.forms.widgets import busy_cursor, guard_editors, let_shrink, translate
 from patchmill_gui.panels.texture_view import RELIEF
 from patchmill_gui.views.legend import LegendPlace
 from patchmill_gui.views.texture_scene import relief_display
@@ -44,6 +45,12 @@ class SimulatePanel(WorkPanel):
         self.button.setObjectName("Simulate")
         self.button.clicked.connect(self.simulate)
         self.layout.addWidget(self.button)
+        self.saving = QtGui.QPushButton(translate("Save relief …"))
+        self.saving.setObjectName("SaveRelief")
+        self.saving.setToolTip(translate("As a height map or a mesh, or the dimples as a table"))
+        self.saving.setEnabled(False)
+        self.saving.clicked.connect(self.save)
+        self.layout.addWidget(self.saving)
         self.text.setTextFormat(QtCore.Qt.RichText)
         self.add_progress()
 
@@ -94,6 +101,7 @@ class SimulatePanel(WorkPanel):
             return result and (result, relief_of(result))
 
         self.button.setText(translate("Cancel"))
+        self.saving.setEnabled(False)
         self.text.clear()
         self.bar.begin()
         self.work.start(run)
@@ -121,6 +129,25 @@ class SimulatePanel(WorkPanel):
             for name, value in self.result.rows()
         )
         self.text.setText("<table>%s</table>" % cells)
+        self.saving.setEnabled(True)
+
+    def save(self):
+        """Asks for a file and writes the relief shown last, or its table of dimples."""
+        kinds = (
+            translate("Height map") + " (*.x3p *.sdf *.gsf *.tif *.exr *.csv *.vti)",
+            translate("Mesh") + " (*.stl *.ply)",
+            translate("Table of dimples") + " (*.dimples.csv)",
+        )
+        name, _ = QtGui.QFileDialog.getSaveFileName(
+            FreeCADGui.getMainWindow(), translate("Relief"), self.operation.Label + ".x3p", ";;".join(kinds)
+        )
+        if not name:
+            return
+        try:
+            with busy_cursor():
+                self.result.save(name)
+        except InputError as error:
+            self.show_error(error)
 
     def leave(self):
         super().leave()

@@ -5,6 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
+import os
 from dataclasses import dataclass
 
 import _patchmill as core
@@ -69,7 +70,10 @@ class SimulatedTexture:
     def save(self, filename):
         """Writes the relief; the name's ending says the format (patchmill.surface.files): deviations from the
         base as .gsf, .sdf, .x3p, .tif, .exr, .csv, .vti; the surface itself, in the work frame, as .stl or
-        .ply. Raises InputError naming filename or Surface."""
+        .ply; the dimple table as .dimples.csv. Raises InputError naming filename or Surface."""
+        if os.fspath(filename).lower().endswith(".dimples.csv"):
+            dimple_table.save(filename, self)
+            return
         files.save(filename, self.height_map(), _Relief(self))
 
     def dimple_table(self):
