@@ -44,7 +44,7 @@ _LAZY = {
     "best_speed": ("patchmill.verify.best_speed", "best_speed"),
     "post": ("patchmill.posting", "post"),
     "read_back": ("patchmill.posting", "read_back"),
-    "resume": ("patchmill.posting.resume", "resume"),
+    "resume": ("patchmill.posting", "resume"),
     "simulate": ("patchmill.verify.simulation", "simulate"),
     "check": ("patchmill.verify.checks", "check"),
     "measured": ("patchmill.surface.files", "load"),

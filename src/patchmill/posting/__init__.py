@@ -19,7 +19,7 @@ from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.machine import calibrated
 from patchmill.operations.base import planned
 from patchmill.operations.copy_input import UNDERCUTS
-from patchmill.posting import control_match, kept_words, program_header
+from patchmill.posting import control_match, kept_words, program_header, rest_of_job
 from patchmill.textures import strategies
 from patchmill.verify import checks, posted_job, posted_milling
 from patchmill.verify.posted_texture import PostedTexture
@@ -254,3 +254,15 @@ def _write(filename, text):
         raise InputError(
             "Label", repr(error.object[error.start : error.end]), "use ASCII letters in labels."
         ) from error
+
+
+def resume(job, patch, filename, operation=None, offset=None, post_name=None, arguments=None):
+    """Posts what is left of `job` from patch number `patch` of a texture on to `filename`: that texture from
+    there, locked to the spindle anew, and the operations after it. Patches are counted from 1 in milling
+    order, as in the comments of PatchComments. Returns what post() does. The document stays as it is.
+
+    `operation`: the texture, if the job has more than one; `offset`: the work offset of the copy that was
+    stopped, if there is more than one; the copies after it are programs of their own.
+    Raises InputError naming Operation, Fixtures, FirstPatch, or what post() names."""
+    with rest_of_job.left(job, patch, operation, offset):
+        return post(job, filename, post_name, arguments)

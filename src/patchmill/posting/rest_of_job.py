@@ -8,7 +8,6 @@ import contextlib
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill import posting
 from patchmill.freecad import host
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.base import planned
@@ -17,14 +16,10 @@ from patchmill.textures import strategies
 UNLOCKED = "the phase of what is milled now is not that of the patches before: nothing follows the spindle."
 
 
-def resume(job, patch, filename, operation=None, offset=None, post_name=None, arguments=None):
-    """Posts what is left of `job` from patch number `patch` of a texture on to `filename`: that texture from
-    there, locked to the spindle anew, and the operations after it. Patches are counted from 1 in milling
-    order, as in the comments of PatchComments. Returns what post() does. The document stays as it is.
-
-    `operation`: the texture, if the job has more than one; `offset`: the work offset of the copy that was
-    stopped, if there is more than one; the copies after it are programs of their own.
-    Raises InputError naming Operation, Fixtures, FirstPatch, or what post() names."""
+@contextlib.contextmanager
+def left(job, patch, operation=None, offset=None):
+    """The job as what is left of it from patch number `patch` of a texture on, and afterwards as it was:
+    see patchmill.posting.resume. Raises InputError naming Operation, Fixtures or FirstPatch."""
     texture = operation or _only(job)
     if kind_of(texture) != TEXTURE or texture not in job.Operations.Group:
         raise InputError("Operation", getattr(texture, "Label", texture), "give a texture of the job.")
@@ -38,7 +33,7 @@ def resume(job, patch, filename, operation=None, offset=None, post_name=None, ar
     if patch > 1 and planned(texture).input.strategy != strategies.LOCKED:
         FreeCAD.Console.PrintWarning("%s: %s\n" % (texture.Label, UNLOCKED))
     with _as_left(job, texture, patch, offset):
-        return posting.post(job, filename, post_name, arguments)
+        yield
 
 
 def _only(job):
