@@ -51,6 +51,30 @@ TEST(Boundary, SteepnessOnASphereIsTheLatitude) {
   EXPECT_THROW(limit_steepness(p.dimples, -Vec3::UnitZ(), Angle::degrees(0)), InputError);
 }
 
+TEST(Boundary, LimitsOutOfRangeAreNamed) {
+  const auto refused = [](auto call) -> std::string {
+    Dimples dimples(1);
+    try {
+      call(dimples);
+    } catch (const InputError& error) {
+      return error.property();
+    }
+    return "";
+  };
+  for (const double degrees : {0.0, -10.0, 90.001, 120.0, std::nan("")})
+    EXPECT_EQ(
+        refused([&](Dimples& d) { limit_steepness(d, -Vec3::UnitZ(), Angle::degrees(degrees)); }),
+        "SteepnessLimit")
+        << degrees;
+  for (const double margin : {-1e-6, -5.0, INFINITY, std::nan("")})
+    EXPECT_EQ(refused([&](Dimples& d) { keep_off_edges(d, {}, margin); }), "Margin") << margin;
+  EXPECT_EQ(refused([](Dimples& d) {
+              limit_steepness(d, -Vec3::UnitZ(), Angle::degrees(90.0));
+              keep_off_edges(d, {}, 0.0);
+            }),
+            "");
+}
+
 TEST(Boundary, FacesThatLookAwayAreUndercut) {
   Dimples dimples(2);
   dimples[0].surface.normal = Vec3(1, 0, -0.1).normalized();

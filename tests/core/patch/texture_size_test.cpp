@@ -122,5 +122,24 @@ TEST(TextureSize, ContradictionsAreNamed) {
   EXPECT_EQ(property(alone, [](W w) { w.ball_radius = 0; }), "BallRadius");
 }
 
+// Beyond pi/4 isolated dimples touch; beyond one there is nothing left to cover, whatever else is given.
+TEST(TextureSize, MoreThanTheWholeAreaIsRefusedForThat) {
+  for (const double share : {1.0 + 1e-9, 1.5, 50.0})
+    for (const TextureKind kind : {TextureKind::Overlapping, TextureKind::Isolated}) {
+      TextureWish w;
+      w.kind = kind;
+      w.ball_radius = 1.0;
+      w.spacing = 0.5;
+      w.area_share = share;
+      try {
+        complete(w);
+        ADD_FAILURE() << share;
+      } catch (const InputError& e) {
+        EXPECT_EQ(e.property(), "AreaShare");
+        EXPECT_NE(e.remedy().find("1e-09 to 1"), std::string::npos) << e.remedy();
+      }
+    }
+}
+
 }  // namespace
 }  // namespace patchmill::patch

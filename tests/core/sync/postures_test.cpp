@@ -108,6 +108,33 @@ TEST(Postures, ARotaryTableChangesWhatEveryStrategyCounts) {
   }
 }
 
+// Where a rotary axis is by far the slowest, a stop lasts as long as it turns, and what parts and periods add.
+TEST(Postures, AStopLastsAsLongAsTheSlowestRotaryAxisTurns) {
+  Case c(machine::machines_of_every_kind()[0].kinematics);
+  constexpr double kRate = 0.02;  // rad/s
+  for (machine::RotaryAxis& axis : c.machine.rotary) axis.rate = kRate;
+  machine::MotionModel model;
+  model.velocity = 1e4;
+  model.acceleration = 1e6;
+  gcode::ProgramForm form;
+  form.tcp = true;  // so that a stop is of one part
+  const std::vector<double> seconds =
+      turning_seconds(c.machine, c.dimples, c.postures, kTool, model, form);
+  std::size_t before = c.dimples.size(), turned = 0;
+  for (std::size_t k = 0; k < c.dimples.size(); ++k) {
+    if (c.dimples[k].state != patch::DimpleState::Cut) continue;
+    if (before < c.dimples.size()) {
+      double angle = 0.0;
+      for (std::size_t j = 0; j < 2; ++j)
+        angle = std::max(angle, std::abs(c.postures.joints[k][j] - c.postures.joints[before][j]));
+      EXPECT_NEAR(seconds[k], angle > 0.0 ? angle / kRate + 3.0 * model.period : 0.0, 2e-3) << k;
+      turned += angle / kRate > 0.02 ? 1 : 0;
+    }
+    before = k;
+  }
+  EXPECT_GT(turned, 100U);
+}
+
 TEST(Postures, BothFormsComeBackToTheSameTips) {
   for (const auto& [name, machine] : tilting_machines()) {
     const Case c(machine);
