@@ -8,10 +8,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import pathlib
 import sys
 
-import _patchmill as core
 import matplotlib
 import numpy as np
 import Part
+from _patchmill import DimpleState
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
@@ -38,8 +38,8 @@ FACES = [
 def draw(axes, title, face, shape, spacing, view):
     placed = placed_on(face, spacing, shape, auto_direction=True)
     found = judged(placed, face)
-    names = core.state_names()
-    on = ~np.isin(placed.dimples.states, [names.index(n) for n in ("off the face", "off the net", "crowded")])
+    left = (DimpleState.OFF_FACE, DimpleState.OFF_NET, DimpleState.CROWDED)
+    on = ~np.isin(placed.dimples.states, left)
     points = placed.dimples.positions[on]
     nearest = np.array([np.partition(np.linalg.norm(points - p, axis=1), 1)[1] for p in points]) / spacing
     elevation, azimuth = np.radians(view)

@@ -29,7 +29,7 @@ class View:
         self.x, self.y = np.meshgrid(x, y)
         hits = self.sampler.sample(np.column_stack([self.x.ravel(), self.y.ravel()]))
         height = self.seen(hits["positions"])[:, 2]
-        height[hits["states"] == core.state_names().index("off the face")] = np.nan
+        height[hits["states"] == core.DimpleState.OFF_FACE] = np.nan
         self.part = height.reshape(self.x.shape)
 
     def seen(self, points):
@@ -40,7 +40,7 @@ class View:
     def dimples(self, plan, stretch=1.0, tolerance=1.5):
         """Height of what the ball leaves, infinite where no visible dimple is. Overlapping dimples are
         drawn up to a little more than where equal neighbours meet, `stretch` times as far."""
-        cut = plan.dimples.states == 0
+        cut = plan.dimples.states == core.DimpleState.CUT
         radius = plan.input.tool.radius
         normals = plan.dimples.normals[cut]
         depth = plan.dimples.depths[cut]

@@ -71,6 +71,20 @@ T choose(const char* property, const std::string& given,
   throw InputError(property, "'" + given + "'", "give one of: " + all + ".");
 }
 
+/// Makes the Python enum.IntEnum `name` in a module: numbers in arrays compare with its members, and its members
+/// go where an int goes. `text`: its docstring.
+void bind_numbers(py::module_& m, const char* name, const char* text,
+                  const std::vector<std::pair<const char*, int>>& members);
+
+/// As bind_numbers, for an enumeration of the core.
+template <class E>
+void bind_enum(py::module_& m, const char* name, const char* text,
+               const std::vector<std::pair<const char*, E>>& members) {
+  std::vector<std::pair<const char*, int>> numbers;
+  for (const auto& [member, value] : members) numbers.emplace_back(member, static_cast<int>(value));
+  bind_numbers(m, name, text, numbers);
+}
+
 /// "Square", "Hexagon" or "Triangle".
 patch::PatchShape shape_of(const std::string& name);
 

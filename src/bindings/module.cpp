@@ -42,6 +42,14 @@ void bind_threads(py::module_& m) {
            py::arg("threads"));
 }
 
+void bind_numbers(py::module_& m, const char* name, const char* text,
+                  const std::vector<std::pair<const char*, int>>& members) {
+  const py::object make = py::module_::import("enum").attr("IntEnum");
+  const py::object made = make(name, members, py::arg("module") = m.attr("__name__"));
+  made.attr("__doc__") = text;
+  m.attr(name) = made;
+}
+
 Progress progress_of(const py::object& callable) {
   if (callable.is_none()) return {};
   return [callable](double share) {

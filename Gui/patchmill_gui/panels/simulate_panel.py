@@ -6,7 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCADGui
 import html
 import patchmill
-from _patchmill import InputError
+from _patchmill import DimpleState, InputError
 from patchmill.operations.texture_operation import planned
 from PySide import QtCore, QtGui
 
@@ -79,7 +79,7 @@ class SimulatePanel(WorkPanel):
         size = self.size.value()
         if size == 0.0:
             return None
-        places = self.plan.places()[self.plan.dimples.states == 0]
+        places = self.plan.places()[self.plan.dimples.states == DimpleState.CUT]
         middle = 0.5 * (places.min(axis=0) + places.max(axis=0))
         centre = places[((places - middle) ** 2).sum(axis=1).argmin()]
         return tuple(centre - 0.5 * size), tuple(centre + 0.5 * size)

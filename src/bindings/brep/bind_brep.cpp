@@ -76,7 +76,8 @@ void bind_brep(py::module_& m) {
           },
           "((x, y) least, (x, y) greatest) that the faces cover in the texture plane [mm].")
       .def("sample", &hits_dict, py::arg("points"),
-           "Projects (n, 2) points; a dict of arrays positions, normals, states.")
+           "Projects (n, 2) points; a dict of arrays positions, normals, states (a DimpleState each: CUT, "
+           "OFF_FACE, TOO_STEEP or UNDERCUT).")
       .def("place", &place_dimples, py::arg("division"), py::arg("plane"), py::arg("surface"),
            py::arg("lattice") = py::none(), py::arg("progress") = py::none(),
            "Dimples of the division on the faces, projected or on a lattice laid on them, or None "

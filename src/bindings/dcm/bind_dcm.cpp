@@ -189,7 +189,7 @@ void bind_grid(py::module_& m) {
           "Bytes of the model, its fields and the solver.")
       .def("section", &section_dict, py::arg("axis"), py::arg("place"), py::arg("feed") = nullptr,
            py::arg("direction") = Vec3(Vec3::UnitX()), py::arg("posture") = nullptr,
-           "One layer at right angles to axis 0, 1 or 2: kind (rows, columns), origin, pitch, and "
+           "One layer at right angles to axis 0, 1 or 2: kind (rows, columns), a VoxelKind each, origin, pitch, and "
            "feed [mm/s] and unit axis (rows, columns, 3) of the fields given; NaN elsewhere.")
       .def("arrows", &arrows_tuple, py::arg("posture"), py::arg("stride") = 2,
            "(places, unit axes), both (n, 3), of every stride-th voxel to be removed.");

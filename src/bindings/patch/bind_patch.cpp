@@ -80,7 +80,34 @@ py::dict counts_dict(const patch::Dimples& dimples) {
   return d;
 }
 
+void bind_states(py::module_& m) {
+  using patch::DimpleState;
+  bind_enum<DimpleState>(
+      m, "DimpleState",
+      "What became of a lattice point: CUT will be milled, all others are left out. OFF_FACE: no "
+      "face "
+      "there; TOO_STEEP: the face is steeper than the limit; TOOL_TIP: its normal is so near to "
+      "the "
+      "tool axis that the tip would rub; UNDERCUT: the face looks away; NEAR_EDGE: within the "
+      "margin; SLIVER: its patch has too few; MASKED: by an image or a curve; NO_FACET: its planar "
+      "patch would stand along the projection; OFF_NET: the lattice does not reach so far; "
+      "CROWDED: "
+      "too near to another. state_names() has them as phrases, in this order.",
+      {{"CUT", DimpleState::Cut},
+       {"OFF_FACE", DimpleState::OffFace},
+       {"TOO_STEEP", DimpleState::TooSteep},
+       {"TOOL_TIP", DimpleState::ToolTip},
+       {"UNDERCUT", DimpleState::Undercut},
+       {"NEAR_EDGE", DimpleState::NearEdge},
+       {"SLIVER", DimpleState::Sliver},
+       {"MASKED", DimpleState::Masked},
+       {"NO_FACET", DimpleState::NoFacet},
+       {"OFF_NET", DimpleState::OffNet},
+       {"CROWDED", DimpleState::Crowded}});
+}
+
 void bind_dimples(py::module_& m) {
+  bind_states(m);
   py::class_<patch::Dimples>(m, "Dimples", "All lattice points tried, in milling order.")
       .def("__len__", [](const patch::Dimples& d) { return d.size(); })
       .def_property_readonly(
@@ -101,7 +128,7 @@ void bind_dimples(py::module_& m) {
             return column_of<std::uint8_t>(
                 d, [](const patch::Dimple& v) { return static_cast<std::uint8_t>(v.state); });
           },
-          "0 cut; other numbers index state_names().")
+          "The DimpleState of each.")
       .def_property_readonly("patches",
                              [](const patch::Dimples& d) {
                                return column_of<std::int32_t>(

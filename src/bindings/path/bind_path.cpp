@@ -39,7 +39,8 @@ ToolPath make_path(const Tool& tool, const Spindle& spindle, const Vec3& start, 
     if (turns[i] < 0.0 || std::isinf(turns[i]))
       throw InputError("turns", std::to_string(turns[i]),
                        "give 0 or more, or NaN where nobody knows.");
-    if (kinds[i] > 2) throw InputError("kind", std::to_string(kinds[i]), "give 0, 1 or 2.");
+    if (kinds[i] > static_cast<std::uint8_t>(MoveKind::Cut))
+      throw InputError("kind", std::to_string(kinds[i]), "give a MoveKind: 0, 1 or 2.");
     move.kind = static_cast<MoveKind>(kinds[i]);
     move.turns = turns[i];
     path.moves.push_back(move);
@@ -99,6 +100,12 @@ void bind_tool(py::module_& m) {
 
 void bind_path(py::module_& m) {
   bind_tool(m);
+  bind_enum<MoveKind>(
+      m, "MoveKind",
+      "What a move is for: RAPID, G0, its time is the machine's affair; LINK, timed and clear of "
+      "the part; CUT, timed and near or in the part.",
+      {{"RAPID", MoveKind::Rapid}, {"LINK", MoveKind::Link}, {"CUT", MoveKind::Cut}});
+  m.attr("NO_DIMPLE") = kNoDimple;
   py::class_<Spindle>(m, "Spindle", "Speed [revolutions per second], > 0, and sense, 'M3' or 'M4'.")
       .def(py::init(&spindle_of), py::arg("speed"), py::arg("sense"))
       .def("__eq__", [](const Spindle& a,
@@ -135,20 +142,20 @@ void bind_path(py::module_& m) {
           [](const ToolPath& p) {
             return column_of<std::int32_t>(p.moves, [](const Move& v) { return v.dimple; });
           },
-          "Number of the dimple on which each move ends, or -1.")
+          "Number of the dimple on which each move ends, or NO_DIMPLE.")
       .def_property_readonly(
           "kinds",
           [](const ToolPath& p) {
             return column_of<std::uint8_t>(
                 p.moves, [](const Move& v) { return static_cast<std::uint8_t>(v.kind); });
           },
-          "0 rapid, 1 link, 2 cut.")
+          "The MoveKind of each move.")
       .def("statistics", &statistics_dict, "Lengths [mm], seconds, turns and counts.");
   m.def("make_path", &make_path, py::arg("tool"), py::arg("spindle"), py::arg("start"),
         py::arg("tips"), py::arg("axes"), py::arg("kinds"), py::arg("turns"),
         "ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an "
         "upright tool, "
-        "kinds, spindle turns or NaN. Raises InputError naming path, axes, kind or turns.");
+        "a MoveKind for each, spindle turns or NaN. Raises InputError naming path, axes, kind or turns.");
 }
 
 }  // namespace patchmill

@@ -9,6 +9,8 @@
 namespace patchmill {
 namespace {
 
+constexpr int kNoMaterial = -1;
+constexpr int kStockMaterial = 0;
 using Points = Eigen::Matrix<double, -1, 3, Eigen::RowMajor>;
 
 VoxelMaterials make_materials(const voxel::VoxelGrid& grid,
@@ -68,7 +70,7 @@ py::array_t<int> materials_at(const voxel::VoxelGrid& grid, const VoxelMaterials
     const voxel::Cell cell = cell_of(grid, points.row(i));
     const voxel::VoxelKind kind = grid.at(cell);
     const bool none = kind == voxel::VoxelKind::Air || kind == voxel::VoxelKind::Part;
-    found.push_back(none ? -1 : materials.number[voxel::cell_index(grid.table, cell)]);
+    found.push_back(none ? kNoMaterial : materials.number[voxel::cell_index(grid.table, cell)]);
   }
   return column_of<int>(found, [](int m) { return m; });
 }
@@ -76,11 +78,24 @@ py::array_t<int> materials_at(const voxel::VoxelGrid& grid, const VoxelMaterials
 }  // namespace
 
 void bind_voxel_attributes(py::module_& m) {
+  using voxel::VoxelKind;
+  bind_enum<VoxelKind>(
+      m, "VoxelKind",
+      "What a voxel is: AIR, its centre is outside the stock; PART, inside the part, without "
+      "product surface; REMOVAL, to be removed; SURFACE, with product surface in it; EXTERIOR, to "
+      "be removed, and the skin of the stock.",
+      {{"AIR", VoxelKind::Air},
+       {"PART", VoxelKind::Part},
+       {"REMOVAL", VoxelKind::Removal},
+       {"SURFACE", VoxelKind::Surface},
+       {"EXTERIOR", VoxelKind::Exterior}});
+  m.attr("NO_MATERIAL") = kNoMaterial;
+  m.attr("STOCK_MATERIAL") = kStockMaterial;
   py::class_<VoxelMaterials>(m, "VoxelMaterials", "The number of the material of each voxel.")
       .def_property_readonly(
           "count", [](const VoxelMaterials& v) { return v.number.size(); }, "Voxels stored.");
   m.def("materials_of", &make_materials, py::arg("grid"), py::arg("bodies"),
-        "VoxelMaterials: 0 the stock's own, else 1 + the number of the last of `bodies`, pairs of "
+        "VoxelMaterials: STOCK_MATERIAL, 0, the stock's own, else 1 + the number of the last of `bodies`, pairs of "
         "Solid and depth below its surface [mm], that holds the voxel's centre.");
   m.def(
       "scale_feed",
@@ -99,11 +114,10 @@ void bind_voxel_attributes(py::module_& m) {
         py::arg("direction"),
         "Feed [mm/s] in a direction at (n, 3) points [mm], interpolated; NaN inside the part.");
   m.def("kinds_at", &kinds_at, py::arg("grid"), py::arg("points"),
-        "Of the voxels that hold (n, 3) points [mm]: 0 air, 1 part, 2 removal, 3 surface, 4 "
-        "exterior.");
+        "The VoxelKind of the voxels that hold (n, 3) points [mm].");
   m.def("materials_at", &materials_at, py::arg("grid"), py::arg("materials"), py::arg("points"),
-        "Numbers of the materials of the voxels that hold (n, 3) points [mm]; -1 where there is "
-        "nothing to remove.");
+        "Numbers of the materials of the voxels that hold (n, 3) points [mm]; NO_MATERIAL where "
+        "there is nothing to remove.");
 }
 
 }  // namespace patchmill

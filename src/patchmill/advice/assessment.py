@@ -38,7 +38,7 @@ def assess(simulate, given, count=5, progress=None, first=None):
     at, and count as it does."""
     placed = place_texture(given)
     counts = dict(placed.dimples.counts())
-    cut = placed.dimples.states == 0
+    cut = placed.dimples.states == core.DimpleState.CUT
     on_faces = sum(n for name, n in counts.items() if name not in ("off the face", "off the net", "masked"))
     found = Assessment(int(cut.sum()), float(cut.sum()) / max(1, on_faces), counts)
     if not cut.any() or placed.free is not None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import Part
-from _patchmill import InputError
+from _patchmill import DimpleState, InputError
 from FreeCAD import Rotation, Vector
 
 from patchmill.advice.found import GOOD, Assessment
@@ -17,7 +17,6 @@ from patchmill.textures.plan import place_texture, plan_texture
 
 LEAST_GAIN = 0.02  # of the faces, that a remedy must make good besides
 ANGLES = (20.0, 30.0)  # that a part or a tool is leant by [degrees]
-OFF_FACES = (1, 9)  # numbers of the states "off the face" and "off the net"
 BEST_TILTS = (14.0, 60.0)  # between tool axis and face, at which flutes cut well [degrees]
 
 
@@ -75,7 +74,7 @@ def face_normals(given):
     """(n, 3) normals of all lattice points that lie on the faces."""
     dimples = place_texture(replace(given, minimum_tilt=0.01, avoid_rubbing=False, margin=0.0)).dimples
     normals = np.asarray(dimples.normals)
-    on_faces = ~np.isin(dimples.states, OFF_FACES)
+    on_faces = ~np.isin(dimples.states, (DimpleState.OFF_FACE, DimpleState.OFF_NET))
     return normals[on_faces & np.isfinite(normals).all(axis=1)]
 
 

@@ -23,7 +23,6 @@ from patchmill.path.read_text import path_of
 
 LEAST_HEIGHT = 1e-3  # mm of stock that is looked at, over a face at its top
 NOTHING_THERE = "there is nothing to cut on them, or the ball does not reach them from above."
-CUT = 2  # kind of a move of a ToolPath
 OVERLAP = 0.87  # of the corner's radius that lines go beyond the stock: slopes up to 60 degrees are finished
 PROPERTIES = [
     ("App::PropertyEnumeration", "Mode", "Copy", "Lines in planes along X, or contours at levels", MODES),
@@ -125,7 +124,7 @@ def mill(given, progress=None):
         made.append(path)
         lost += missing
     path = core.with_plunge_feed(core.joined(made), given.plunge_feed)
-    if faces is not None and not (path.kinds == CUT).any():
+    if faces is not None and not (path.kinds == core.MoveKind.CUT).any():
         raise InputError("Base", given.chosen, NOTHING_THERE)
     return CopiedPath(path, lost, given)
 

@@ -13,10 +13,9 @@ from dataclasses import dataclass, field
 
 import _patchmill as core
 import numpy as np
-from _patchmill import InputError
+from _patchmill import InputError, MoveKind
 
 CHORD_ERROR = 0.0005  # mm
-RAPID, CUT = 0, 2
 NO_MOVE = {"G17", "G21", "G40", "G49", "G54", "G80", "G90", "G94", "G98", "G99", "G4", "G04"}
 CYCLES = {"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G88", "G89"}
 PACED = {"G33", "G61", "G64", "G93", "G95"}
@@ -47,7 +46,7 @@ class BasePath:
         with np.errstate(divide="ignore", invalid="ignore"):
             turns = np.where(feeds > 0.0, spindle.speed * length / feeds, np.nan)
         kinds = np.array(self.kinds, dtype=np.uint8)
-        turns[kinds == RAPID] = np.nan
+        turns[kinds == MoveKind.RAPID] = np.nan
         return core.make_path(tool, spindle, self.start, tips, None, list(kinds), list(turns))
 
 
@@ -92,17 +91,17 @@ def _refuse(label, name, parameters):
 
 def _add(base, number, name, parameters, start, end, feed, label):
     if name in ("G0", "G00"):
-        points, kind = [end], RAPID
+        points, kind = [end], MoveKind.RAPID
     elif name in ("G1", "G01"):
-        points, kind = [end], CUT
+        points, kind = [end], MoveKind.CUT
     else:
         centre = _centre(label, name, parameters, start, end)
         base.centres[number] = centre
-        points, kind = arc_points(start, end, centre, name in ("G2", "G02")), CUT
-    if kind == CUT and not feed > 0.0:
+        points, kind = arc_points(start, end, centre, name in ("G2", "G02")), MoveKind.CUT
+    if kind == MoveKind.CUT and not feed > 0.0:
         raise InputError(label, "a move without feed", "set the feeds of its tool controller.")
     for point in points:
-        if kind == RAPID or math.dist(point, base.tips[-1] if base.tips else base.start) > 1e-9:
+        if kind == MoveKind.RAPID or math.dist(point, base.tips[-1] if base.tips else base.start) > 1e-9:
             base.tips.append(tuple(point))
             base.kinds.append(kind)
             base.feeds.append(feed)
@@ -156,7 +155,7 @@ def write(base, path, source, feed_tolerance, make_command):
         last = done + int(np.searchsorted(command_of[done:], number, side="right"))
         if last == done:
             out.append(command)
-        elif kinds[done] == RAPID:
+        elif kinds[done] == MoveKind.RAPID:
             out.append(command)
         else:
             pieces = _runs(start, tips, feeds, done, last, feed_tolerance, base.centres.get(number))

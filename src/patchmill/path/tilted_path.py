@@ -14,7 +14,6 @@ from _patchmill import InputError
 from patchmill.machine import machines
 from patchmill.path.base_path import CYCLES
 
-RAPID = 0
 # words that would end inverse time or TCP on the way, or have a feed of their own
 NOT_TILTED = CYCLES | {"G49", "G94", "M6", "M06"}
 CENTRE_ERROR = 0.0005  # mm
@@ -51,14 +50,14 @@ def with_angles(path, source, machine):
             joints = core.plan_path_joints(kinematics, path).joints
         except InputError as error:
             raise InputError("TiltLimit", error.value, "%s Tilt less." % error.remedy) from error
-        halve = (centre_error(path, joints, kinematics) > CENTRE_ERROR) & (path.kinds != RAPID)
+        halve = (centre_error(path, joints, kinematics) > CENTRE_ERROR) & (path.kinds != core.MoveKind.RAPID)
         if not halve.any():
             break
         path, source = halved(path, source, halve)
     rates = np.radians([axis["velocity_deg_s"] for axis in machine.data["rotary_axes"]])
     turned = np.abs(np.diff(joints, axis=0))[:, : len(rates)]
     needed = (turned / rates).max(axis=1) * path.spindle.speed
-    turns = np.where(path.kinds == RAPID, path.turns, np.fmax(path.turns, needed))
+    turns = np.where(path.kinds == core.MoveKind.RAPID, path.turns, np.fmax(path.turns, needed))
     return remade(path, path.tips, path.axes, path.kinds, turns), source, joints
 
 
@@ -119,7 +118,7 @@ def write(base, path, source, joints, machine, make_command):
             begin = np.concatenate([path.start, np.degrees(joints)[0, : len(letters)]]).tolist()
             out.append(make_command("G0", dict(zip("XYZ" + letters, begin))))
         for i in range(done, last):
-            if kinds[i] == RAPID:
+            if kinds[i] == core.MoveKind.RAPID:
                 out.append(make_command("G0", words[i]))
             elif seconds[i] > 0.0:
                 out.append(make_command("G1", dict(words[i], F=1.0 / seconds[i])))

@@ -5,7 +5,7 @@ The plotting functions take arrays and a matplotlib Axes and know nothing of fil
 as a program it makes the pictures of docs/ from the tables that the experiments' test writes:
 
     PATCHMILL_DCM_DIR=tables build/tests/core/test_copy --gtest_filter='Kobayashi*'
-    python3 src/patchmill/reports/dcm_plots.py tables docs/images
+    PYTHONPATH=build/Mod/PatchMill /usr/bin/python3 src/patchmill/reports/dcm_plots.py tables docs/images
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -13,8 +13,7 @@ import os
 import sys
 
 import numpy as np
-
-PART, REMOVAL, SURFACE, EXTERIOR = 1, 2, 3, 4  # VoxelKind of the core
+from _patchmill import VoxelKind
 
 STAIRS_COLOUR = "#c44e52"
 SMOOTH_COLOUR = "#1f4e79"
@@ -24,7 +23,7 @@ HEIGHT_COLOUR = "#8a8a8a"
 def section_image(x, z, kind, value):
     """Scattered voxels of one section as an image.
 
-    x, z: centres [mm]; kind: VoxelKind numbers; value: what to show. Returns (edges of columns,
+    x, z: centres [mm]; kind: VoxelKinds; value: what to show. Returns (edges of columns,
     edges of rows, values with NaN where there is no removal volume, True where there is surface).
     """
     xs, zs = np.unique(x), np.unique(z)
@@ -33,9 +32,9 @@ def section_image(x, z, kind, value):
     image, surface = np.full(shape, np.nan), np.zeros(shape, bool)
     column = np.rint((x - xs[0]) / pitch).astype(int)
     row = np.rint((z - zs[0]) / pitch).astype(int)
-    filled = kind >= REMOVAL
+    filled = ~np.isin(kind, (VoxelKind.AIR, VoxelKind.PART))
     image[row[filled], column[filled]] = value[filled]
-    surface[row, column] = kind == SURFACE
+    surface[row, column] = kind == VoxelKind.SURFACE
     edges_x = xs[0] + pitch * (np.arange(shape[1] + 1) - 0.5)
     edges_z = zs[0] + pitch * (np.arange(shape[0] + 1) - 0.5)
     return edges_x, edges_z, image, surface

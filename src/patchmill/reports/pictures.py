@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import matplotlib
 
 matplotlib.use("Agg")
+import _patchmill as core  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
@@ -26,11 +27,9 @@ STATE_COLOURS = {
 
 
 def _draw_states(axes, plan, places, size, chosen):
-    import _patchmill
-
     states = plan.dimples.states
-    for number, name in enumerate(_patchmill.state_names()):
-        those = chosen & (states == number)
+    for state, name in zip(core.DimpleState, core.state_names()):
+        those = chosen & (states == state)
         if those.any():
             axes.scatter(
                 *places[those].T,
@@ -61,7 +60,8 @@ def draw_dimples(plan, filename):
     patches = plan.dimples.patches
     patch = patches[len(patches) // 2]
     chosen = patches == patch
-    right.plot(*places[chosen & (plan.dimples.states == 0)].T, "-", color="#999", lw=0.8, zorder=0)
+    cut = plan.dimples.states == core.DimpleState.CUT
+    right.plot(*places[chosen & cut].T, "-", color="#999", lw=0.8, zorder=0)
     _draw_states(right, plan, places, 40, chosen)
     _outlines(right, plan)
     low, high = places[chosen].min(axis=0), places[chosen].max(axis=0)
@@ -98,7 +98,7 @@ def _moves(tips, kinds, kind):
 def draw_path(plan, path, filename):
     """The tool tip over one patch, with the link that leads to it, in 3-D and from the side."""
     tips, dimples = path.tips, path.dimples
-    ends = np.flatnonzero(dimples >= 0)
+    ends = np.flatnonzero(dimples != core.NO_DIMPLE)
     patch_of_end = plan.dimples.patches[dimples[ends]]
     wanted = patch_of_end[len(patch_of_end) // 2]
     inside = ends[patch_of_end == wanted]
@@ -107,7 +107,7 @@ def draw_path(plan, path, filename):
     figure = plt.figure(figsize=(14, 6.6))
     space = figure.add_subplot(1, 2, 1, projection="3d")
     ways = {"link": ("#d62728", 1.2), "cut": ("#1f77b4", 0.6)}
-    for name, number in (("cut", 2), ("link", 1)):
+    for name, number in (("cut", core.MoveKind.CUT), ("link", core.MoveKind.LINK)):
         colour, width = ways[name]
         space.add_collection(
             Line3DCollection(_moves(part, kinds, number), colors=colour, linewidths=width, label=name)
@@ -125,7 +125,8 @@ def draw_path(plan, path, filename):
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(few[:, :2], axis=0).T))])
     side.plot(along, few[:, 2], "-", color="#1f77b4", lw=1.2)
     number = dimples[inside[0] : inside[min(len(inside) - 1, 8)] + 1]
-    side.plot(along[number >= 0], few[number >= 0, 2], "o", color="k", ms=5, label="dimples")
+    on_dimple = number != core.NO_DIMPLE
+    side.plot(along[on_dimple], few[on_dimple, 2], "o", color="k", ms=5, label="dimples")
     side.set_aspect("equal")
     side.set_xlabel("way along XY [mm]")
     side.set_ylabel("Z of the tip [mm]")

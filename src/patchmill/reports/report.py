@@ -10,6 +10,7 @@ import json
 import math
 import os
 
+import _patchmill as core
 import numpy as np
 
 from patchmill.system import files
@@ -21,7 +22,7 @@ def report_data(posted, plan, gcode, simulated=None):
     errors = np.degrees(posted.errors["error"])
     statistics = posted.path.statistics()
     given = plan.input
-    cut = plan.dimples.states == 0
+    cut = plan.dimples.states == core.DimpleState.CUT
     tilts = np.degrees(_tilts(plan))[cut]
     return {
         "program": os.path.basename(gcode),
@@ -94,15 +95,13 @@ def _not_checked(plan, check):
 
 
 def _tilts(plan):
-    import _patchmill
-
-    return _patchmill.tilts(plan.dimples, (0.0, 0.0, 1.0))
+    return core.tilts(plan.dimples, (0.0, 0.0, 1.0))
 
 
 def _turns_per_dimple(plan, path):
     """Least, mean and greatest spindle turns from one place of a patch to the next, links apart."""
     dimples, turns = path.dimples, np.nan_to_num(path.turns)
-    ends = np.flatnonzero(dimples >= 0)
+    ends = np.flatnonzero(dimples != core.NO_DIMPLE)
     between = np.diff(np.cumsum(turns)[ends])
     number, patch = dimples[ends], plan.dimples.patches[dimples[ends]]
     within = between[(np.diff(number) == 1) & (np.diff(patch) == 0)]

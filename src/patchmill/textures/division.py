@@ -172,7 +172,7 @@ def _start_on_faces(given, sampler):
     if given.origin is None:
         return None
     sample = sampler.sample(np.zeros((1, 2)))
-    if sample["states"][0] != 0:
+    if sample["states"][0] != core.DimpleState.CUT:
         raise InputError(
             "Origin",
             "(%g, %g, %g) mm" % tuple(given.origin),
@@ -209,7 +209,7 @@ def lattice_start(given, sampler, low, high):
             return core.nearest_start(origin, low, high, sampler)
         except InputError as error:
             raise InputError("Direction", "%g, %g, %g" % given.direction, error.remedy) from None
-    if sampler.sample(origin[None])["states"][0] != 0:
+    if sampler.sample(origin[None])["states"][0] != core.DimpleState.CUT:
         raise InputError(
             "Origin",
             "(%g, %g, %g) mm" % tuple(given.origin),

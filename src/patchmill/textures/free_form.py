@@ -110,7 +110,7 @@ def phase_differences(plan, path=None):
         drift              predicted change from a pass to the next inside it [teeth]
         measured_drift     the same, measured; NaN if the patch has too few passes
         largest_miss       largest difference of measured and predicted, NaN if there is none"""
-    cut = plan.dimples.states == 0
+    cut = plan.dimples.states == core.DimpleState.CUT
     patches = plan.dimples.patches
     patch = int(np.bincount(patches[cut], minlength=len(plan.free)).argmax())
     found = core.free_form_phases(path or plan.path, plan.free, plan.dimples, patch)

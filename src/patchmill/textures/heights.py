@@ -5,7 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 from dataclasses import replace
 
-from _patchmill import InputError
+from _patchmill import DimpleState, InputError
 
 ABOVE = 1.0  # mm over the highest dimple; links between dimples may ask for more
 TRIES = 8
@@ -22,7 +22,7 @@ def plan_above(given, dimples, remarks, make):
         if error.property not in ("SafeHeight", "ClearanceHeight") or not given.heights_follow:
             raise
         refused = error
-    cut = dimples.positions[dimples.states == 0]
+    cut = dimples.positions[dimples.states == DimpleState.CUT]
     safe = max(given.safe_height, cut[:, 2].max() + given.lift + ABOVE)
     for attempt in range(TRIES):
         higher = replace(

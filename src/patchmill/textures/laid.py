@@ -3,6 +3,8 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+from _patchmill import DimpleState
+
 ENOUGH = 0.9  # of the faces' area
 
 
@@ -11,7 +13,7 @@ def coverage(placed):
     lattice is not laid on the faces."""
     if placed.laid is None or not placed.laid.area:
         return None
-    milled = int((placed.dimples.states == 0).sum())
+    milled = int((placed.dimples.states == DimpleState.CUT).sum())
     return milled * placed.division.pattern.cell_area / placed.laid.area
 
 

@@ -8,8 +8,6 @@ from math import radians
 import _patchmill as core
 import numpy as np
 
-CUT = 0  # state of a sample that lies on a face
-
 
 def outlines_on_faces(placed, pieces=8):
     """The outlines of a PlacedTexture's patches, projected as its dimples are: a list of (k, 3) arrays [mm],
@@ -24,7 +22,7 @@ def outlines_on_faces(placed, pieces=8):
     hits = sampler.sample(points[known])
     lift = 0.2 * given.spacing  # above the host's own, coarser triangles of the face
     found = hits["positions"] + lift * hits["normals"]
-    found[hits["states"] != CUT] = np.nan
+    found[hits["states"] != core.DimpleState.CUT] = np.nan
     places = np.full((len(points), 3), np.nan)
     places[known] = found
     return np.split(places, np.cumsum([len(line) for line in flat])[:-1])

@@ -80,7 +80,7 @@ class PlacedTexture:
 
     def rubbing(self):
         """How many milled dimples are so near to the tool's tip that it rubs in them."""
-        tilts = core.tilts(self.dimples, VERTICAL)[self.dimples.states == 0]
+        tilts = core.tilts(self.dimples, VERTICAL)[self.dimples.states == core.DimpleState.CUT]
         return int((tilts < self.size["least_tilt"]).sum())
 
 
@@ -209,7 +209,7 @@ def _keep_off_tip(placed):
     core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
     if not given.avoid_rubbing or least <= radians(given.minimum_tilt):
         return
-    tilts = core.tilts(dimples, VERTICAL)[dimples.states == 0]
+    tilts = core.tilts(dimples, VERTICAL)[dimples.states == core.DimpleState.CUT]
     if len(tilts) and tilts.max() <= least:
         raise InputError(
             "AvoidRubbing",

@@ -160,8 +160,8 @@ def read_back(section, posture, machine, tolerance_mm):
     match = core.match_plan(section.path, posture.told.path, tolerance_mm)
     told = np.degrees(posture.told.joints[1:])
     read = np.degrees(section.angles[1:])[:, ["ABC".index(c) for c in machine.rotary_letters]]
-    ends = np.flatnonzero(section.path.kinds > 0)
-    planned = np.flatnonzero(posture.told.path.kinds > 0)
+    ends = np.flatnonzero(section.path.kinds != core.MoveKind.RAPID)
+    planned = np.flatnonzero(posture.told.path.kinds != core.MoveKind.RAPID)
     complete = match.complete and len(ends) == len(planned)
     if complete:
         off = np.abs(read[ends] - told[planned][:, : read.shape[1]]).max(initial=0.0)

@@ -52,7 +52,7 @@ def lines(batch):
         length = math.dist(tip, before)
         before = tip
         words = "X%.4f Y%.4f Z%.4f" % tuple(tip)
-        if kind == 0:
+        if kind == core.MoveKind.RAPID:
             yield "G0 " + words
         elif length > SHORTEST:
             yield "G1 %s F%.3f" % (words, 60.0 * length * batch.spindle.speed / turns)

@@ -62,7 +62,8 @@ class PostedProgram:
         self.sections = core.read_gcode(text, any_tool(), dialect, rotary=True)
         self.begins = np.cumsum([0] + [len(s.path) for s in self.sections])
         self.ends = _stacked([np.hstack([s.path.tips, np.degrees(s.angles[1:])]) for s in self.sections], 6)
-        self.cuts = np.concatenate([s.path.kinds > 0 for s in self.sections] or [np.zeros(0, bool)])
+        timed = [s.path.kinds != core.MoveKind.RAPID for s in self.sections]
+        self.cuts = np.concatenate(timed or [np.zeros(0, bool)])
         self.feeds = np.concatenate([s.feeds for s in self.sections] or [np.zeros(0)])
         self.inverse = np.concatenate([s.inverse for s in self.sections] or [np.zeros(0, bool)])
         code = COMMENT.sub("", text)

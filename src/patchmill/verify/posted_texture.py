@@ -41,7 +41,7 @@ def told_by(plan):
         joints = np.degrees(posture.told.joints[1:])
         for number, letter in enumerate(plan.machine.rotary_letters):
             ends[:, 3 + "ABC".index(letter)] = joints[:, number]
-    return trimmed(ends, path.kinds > 0)
+    return trimmed(ends, path.kinds != core.MoveKind.RAPID)
 
 
 def find(operation, plan, told, program, after):
@@ -51,7 +51,8 @@ def find(operation, plan, told, program, after):
     run = program.find(told, half_unit, after)
     if not run.complete:
         begun = told.cuts[: run.found].sum()
-        dimples = (plan.path.dimples[plan.path.kinds > 0][:begun] >= 0).sum() if plan.posture is None else 0
+        timed = plan.path.dimples[plan.path.kinds != core.MoveKind.RAPID]
+        dimples = (timed[:begun] != core.NO_DIMPLE).sum() if plan.posture is None else 0
         raise InputError(
             operation.Label,
             "%d of %d dimples read back" % (dimples, plan.counts["cut"]),
@@ -125,7 +126,7 @@ def _require_paces(op, plan, section, program):
 def _paces(section):
     """What the timed moves of a section are told, by name, and their numbers under "moves"."""
     path = section.path
-    moves = np.flatnonzero(path.kinds > 0)
+    moves = np.flatnonzero(path.kinds != core.MoveKind.RAPID)
     steps = np.diff(np.vstack([np.array(path.start)[None], path.tips]), axis=0)
     way, longest = np.linalg.norm(steps, axis=1), np.abs(steps).max(axis=1)
     locked = np.isnan(section.feeds)

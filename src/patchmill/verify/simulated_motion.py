@@ -56,8 +56,8 @@ def _housing(plan, path):
     planned = core.housing_x(plan.posture.kinematics, plan.posture.work.joints)
     if len(path) == len(plan.path):
         return planned
-    timed = path.kinds > 0
-    number = np.concatenate([[0], np.flatnonzero(plan.path.kinds > 0) + 1])
+    timed = path.kinds != core.MoveKind.RAPID
+    number = np.concatenate([[0], np.flatnonzero(plan.path.kinds != core.MoveKind.RAPID) + 1])
     if timed.sum() + 1 != len(number):
         raise InputError("Path", "%d timed moves" % timed.sum(), "give a path of this texture's plan.")
     return planned[number[np.concatenate([[0], np.cumsum(timed)])]]

@@ -147,7 +147,7 @@ def _plan_of(texture):
 
 def _window(plan, window):
     """Least and greatest corner of the window; of all dimples that are milled if None."""
-    cut = plan.dimples.states == 0
+    cut = plan.dimples.states == core.DimpleState.CUT
     if window is None:
         if not cut.any():
             raise InputError("Window", "no dimples", "the texture has nothing to look at.")
@@ -178,7 +178,7 @@ def _stock(plan):
     given, radius = plan.input, plan.input.tool.radius
     if given.texture_kind == "Isolated":
         return 0.0
-    cut = plan.dimples.states == 0
+    cut = plan.dimples.states == core.DimpleState.CUT
     cosine = -(plan.dimples.normals[cut] @ np.asarray(plan.plane.direction))
     stretch = 1.0
     if given.mapping == "Projected" and not given.surface.planar and len(cosine):

@@ -18,6 +18,7 @@ from patchmill.geometry import shapes
 from patchmill.system import files
 from patchmill.voxels import materials
 from patchmill.voxels.materials import OWN
+from patchmill.voxels.voxel_slices import is_filled
 
 MIB = 1024.0 * 1024.0
 _in_use: weakref.WeakValueDictionary = weakref.WeakValueDictionary()
@@ -113,10 +114,10 @@ class RemovalModel:
             raise InputError(names.get(error.property, error.property), error.value, error.remedy) from error
 
     def attributes_at(self, points, feed=None, direction=(1.0, 0.0, 0.0)):
-        """What the model says at (n, 3) points [mm]: a dict of kind (0 air, 1 part, 2 removal, 3 product
-        surface, 4 skin), distance to the product [mm], negative inside it, and material (-1: nothing to
-        remove); feed [mm/s] in a direction if a FeedField is given; axis (n, 3) if there is a posture. The
-        distance is measured to the part's triangles when asked for, so that no voxel has to keep it."""
+        """What the model says at (n, 3) points [mm]: a dict of kind (a VoxelKind each), distance to the
+        product [mm], negative inside it, and material (core.NO_MATERIAL: nothing to remove); feed [mm/s] in
+        a direction if a FeedField is given; axis (n, 3) if there is a posture. The distance is measured to
+        the part's triangles when asked for, so that no voxel has to keep it."""
         points = np.asarray(points, dtype=float).reshape(-1, 3)
         out = {
             "kind": core.kinds_at(self.grid, points),
@@ -131,7 +132,8 @@ class RemovalModel:
 
     def _materials_at(self, points):
         if self.materials is None:
-            return np.where(core.kinds_at(self.grid, points) > 1, 0, -1)
+            filled = is_filled(core.kinds_at(self.grid, points))
+            return np.where(filled, core.STOCK_MATERIAL, core.NO_MATERIAL)
         return core.materials_at(self.grid, self.materials, points)
 
 

@@ -5,6 +5,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import _patchmill as core
 import numpy as np
 
 
@@ -39,10 +40,15 @@ def material_slice(model, axis, place):
     return centres, model.attributes_at(centres)["material"].astype(float)
 
 
+def is_filled(kinds):
+    """Whether voxels of an array of VoxelKinds are to be removed, or hold product surface."""
+    return ~np.isin(kinds, (core.VoxelKind.AIR, core.VoxelKind.PART))
+
+
 def _filled(model, axis, place):
     """Centres of the voxels of one layer that are to be removed, or hold product surface."""
     section = model.grid.section(axis, place)
-    return _scattered(section, axis, np.where(section["kind"] > 1, 1.0, np.nan))[0]
+    return _scattered(section, axis, np.where(is_filled(section["kind"]), 1.0, np.nan))[0]
 
 
 def tilt_of(axes):
