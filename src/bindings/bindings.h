@@ -32,6 +32,7 @@ void bind_machine_model(py::module_& m);
 void bind_kinematics(py::module_& m);
 void bind_postures(py::module_& m);
 void bind_scene(py::module_& m);
+void bind_solids(py::module_& m);
 void bind_dcm(py::module_& m);
 void bind_dcm_path(py::module_& m);
 void bind_voxel_attributes(py::module_& m);

@@ -39,7 +39,8 @@ void bind_threads(py::module_& m) {
              if (threads == 0) throw InputError("Threads", "0", "give at least one.");
              return std::make_unique<Control>(Control::max_allowed_parallelism, threads);
            }),
-           py::arg("threads"));
+           py::arg("threads"),
+           "At most so many threads, 1 or more. Raises InputError naming Threads.");
 }
 
 void bind_numbers(py::module_& m, const char* name, const char* text,
@@ -92,7 +93,8 @@ PYBIND11_MODULE(_patchmill, m) {
   subject(m, "sync", "Phases of the spindle, free forms, postures of the tool.",
           {bind_matsuda, bind_sync, bind_postures});
   subject(m, "scene", "What displays show.", {bind_scene});
-  subject(m, "dcm", "Dynamic contour milling and copy milling.", {bind_dcm, bind_dcm_path});
+  subject(m, "dcm", "Dynamic contour milling and copy milling.",
+          {bind_solids, bind_dcm, bind_dcm_path});
   subject(m, "voxel", "What voxels hold: materials, feeds, postures, kinds.",
           {bind_voxel_attributes});
   subject(m, "marks", "Marks that a moved cutter leaves, and how they lie.", {bind_marks});

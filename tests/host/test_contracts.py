@@ -1,52 +1,40 @@
 """What every function that Python can call does with bad arguments: it refuses them by an InputError that
 names property, value and remedy, or, where the type is wrong, by Python's TypeError. It never crashes, hangs,
-takes all memory, or raises anything else; and what is not a number, or infinite, it does not take at all, but
-where TAKES_ANY says so and why.
+takes all memory, or raises anything else. What is not a number, or infinite, it does not take at all, but
+where TAKES_ANY says so and why; what is plainly bad otherwise, but where TAKEN does. And its docstring says
+what it raises.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import faulthandler
 import inspect
-import math
 import os
 import pathlib
+import re
 import resource
 import sys
 import unittest
 
 import _patchmill as core
-import numpy as np
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import bound_calls_machine  # noqa: E402, F401: adds its calls to CALLS
-import bound_things as things  # noqa: E402
 from bound_calls import CALLS, FILE  # noqa: E402
+from spoilt_values import INF, NAN, NUMBERS, fault_of, not_finite, shown, spoilt  # noqa: E402
+from taken_values import TAKEN  # noqa: E402
 
+OPERATORS = ("__init__", "__eq__", "__len__", "__str__", "__getitem__")
+# These calls go on to other functions, which refuse what this one takes.
+GO_ON = {"PatchSurface", "PhaseRule", "PacedRule", "MotionModel", "Kinematics", "Kinematics.add_rotary",
+         "ProgramForm", "CopyOptions", "MarkWish", "FaceSampler.place", "copy_mill", "constant_feed_path",
+         "paced_path"}
+# The properties of these are places in a text.
+NAME_PLACES = {"read_gcode", "program_lines", "write_program"}
 MOST_MEMORY = 8 << 30  # of addresses: FreeCAD itself takes one or two
 LONGEST = 60  # s, for one call
-NAN, INF = math.nan, math.inf
-NUMBERS = [NAN, INF, -INF, -1.0, 0.0, 1e300, -1e300, 1e-300, 1e9, 1e-9]
-COUNTS = [-1, 0, 1, 7, 300, 10**6, 2**31 - 1, -(2**31)]
-WORDS = ["", "nonsense", "a\0b", "x" * 10000]
-OTHERS = {  # another one of the same kind, which does not belong to the other arguments
-    "dimples": things.other_dimples,
-    "grid": things.other_grid,
-    "feed": core.steady_feed(things.other_grid, 5.0, 10.0),
-    "posture": core.steady_posture(things.other_grid, things.part),
-    "materials": core.materials_of(things.other_grid, []),
-    "path": things.copy_path,
-    "postures": core.plan_postures(
-        things.machine, things.other_dimples, core.tool_axes(things.other_dimples, "Normal", lead=0.2), 3
-    ),
-    "machine": things.bare_machine(),
-    "part": core.Solid.box((100, 100, 100), (101, 101, 101)),
-    "section": core.read_gcode(things.PROGRAM.replace(" A1", ""), things.tool)[0],
-    "options": core.CopyOptions(**dict(things.COPY, mode="Contour")),
-}
-
 # Bad values of these are outcomes: (function, argument) and what becomes of them.
 TAKES_ANY = {
     ("FaceSampler.sample", "points"): "off the faces",
@@ -86,84 +74,10 @@ TAKES_INFINITE = {
 }
 
 
-def is_vector(value):
-    return isinstance(value, (tuple, list)) and value and all(type(x) in (int, float) for x in value)
-
-
-def spoilt_array(array):
-    yield np.zeros((0,) + array.shape[1:], array.dtype)
-    yield array[:1]
-    yield np.concatenate([array, array])
-    yield np.zeros((2, 2, 2, 7), array.dtype)
-    if array.dtype.kind == "i":
-        for number in (-1, 10**6, 2**31 - 1):
-            yield np.full_like(array, number)
-    if array.dtype.kind == "f":
-        for number in (0.0, 1e30, -1e30):
-            yield np.full_like(array, number)
-
-
-def spoilt(name, value):
-    """Bad values for a good one, all but those that are not finite."""
-    if isinstance(value, bool):
-        return
-    if isinstance(value, float):
-        yield from (n for n in NUMBERS if math.isfinite(n))
-    elif isinstance(value, int):
-        yield from COUNTS
-    elif isinstance(value, str):
-        yield from WORDS
-    elif isinstance(value, np.ndarray):
-        yield from spoilt_array(value)
-    elif is_vector(value):
-        yield from (type(value)([n] * len(value)) for n in (0.0, 1e300, 1e-300, 1e8, -1e8))
-        yield from (value[:-1], value * 2, [-1] * len(value), [300] * len(value))
-    elif isinstance(value, list):
-        yield []
-        if isinstance(value[0], str):
-            yield from ([word] for word in WORDS)
-        if isinstance(value[0], np.ndarray):
-            yield from ([array] for array in spoilt_array(value[0]))
-        if isinstance(value[0], tuple):
-            yield from ([t] for t in spoilt_tuples(value[0], (-1.0, 0.0, 1e300, 1e-300)))
-    if name in OTHERS:
-        yield OTHERS[name]
-    if not isinstance(value, (float, int, str, np.ndarray, tuple, list)):
-        yield from (None, 1.0, "nonsense")
-
-
-def spoilt_tuples(entry, numbers):
-    for i, item in enumerate(entry):
-        if isinstance(item, float):
-            yield from (entry[:i] + (n,) + entry[i + 1:] for n in numbers)
-
-
-def not_finite(value, numbers):
-    """Values in the place of a good one that have one of these numbers in them."""
-    if isinstance(value, float):
-        yield from numbers
-    elif isinstance(value, np.ndarray) and value.dtype.kind == "f":
-        for number in numbers:
-            one = value.copy()
-            one.flat[0] = number
-            yield from (one, np.full_like(value, number))
-    elif is_vector(value) and isinstance(value[-1], float):
-        yield from (value[:-1] + type(value)([n]) for n in numbers)
-        yield from (type(value)([n] * len(value)) for n in numbers)
-    elif isinstance(value, list) and isinstance(value[0], np.ndarray):
-        yield from ([array] for array in not_finite(value[0], numbers))
-    elif isinstance(value, list) and isinstance(value[0], tuple):
-        yield from ([entry] for entry in spoilt_tuples(value[0], numbers))
-
-
-def shown(value):
-    text = repr(value.ravel()[:4]) + str(value.shape) if isinstance(value, np.ndarray) else repr(value)
-    return text[:80]
-
-
 class Outcomes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        cls.made = None
         cls.limit = resource.getrlimit(resource.RLIMIT_AS)
         resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, cls.limit[1]))
         cls.folder = os.getcwd()
@@ -179,23 +93,41 @@ class Outcomes(unittest.TestCase):
         os.chdir(cls.folder)
         resource.setrlimit(resource.RLIMIT_AS, cls.limit)
 
-    def outcome(self, name, **bad):
-        """The InputError or TypeError that the call ends with, or None. What else it raises is a fault."""
+    @classmethod
+    def call(cls, name, **bad):
+        """(the InputError or TypeError that the call ends with, or None; what it did that it must not)."""
         function, good = CALLS[name]
         said = "%s(%s)" % (name, ", ".join("%s=%s" % (k, shown(v)) for k, v in bad.items()))
-        faulthandler.dump_traceback_later(LONGEST, exit=True, file=self.real)
+        faulthandler.dump_traceback_later(LONGEST, exit=True, file=cls.real)
         try:
             function(**dict(good, **bad))
         except core.InputError as error:
-            self.assertTrue(error.property and error.remedy, said)
-            return error
+            return error.with_traceback(None), "" if error.property and error.remedy else said + " names nothing"
         except TypeError as error:
-            return error
+            return error, ""
         except BaseException as error:
-            self.fail("%s: %s: %s" % (said, type(error).__name__, error))
+            return error, "%s: %s: %s" % (said, type(error).__name__, error)
         finally:
             faulthandler.cancel_dump_traceback_later()
-        return None
+        return None, ""
+
+    def outcome(self, name, **bad):
+        """The InputError or TypeError that the call ends with, or None. What else it raises is a fault."""
+        error, trouble = self.call(name, **bad)
+        self.assertEqual(trouble, "")
+        return error
+
+    @classmethod
+    def of_spoilt(cls):
+        """(name, argument, bad value, error, trouble) of every call with one spoilt argument, made once."""
+        if cls.made is None:
+            cls.made = [
+                (name, argument, bad, *cls.call(name, **{argument: bad}))
+                for name, (_, good) in CALLS.items()
+                for argument, value in good.items()
+                for bad in spoilt(argument, value)
+            ]
+        return cls.made
 
     def test_good_arguments_are_taken(self):
         for name in CALLS:
@@ -203,11 +135,26 @@ class Outcomes(unittest.TestCase):
                 self.assertIsNone(self.outcome(name))
 
     def test_bad_arguments_are_refused_by_name_or_have_an_outcome(self):
-        for name, (_, good) in CALLS.items():
-            for argument, value in good.items():
-                for bad in spoilt(argument, value):
-                    with self.subTest(name, argument=argument, value=shown(bad)):
-                        self.outcome(name, **{argument: bad})
+        for name, argument, bad, _, trouble in self.of_spoilt():
+            with self.subTest(name, argument=argument, value=shown(bad)):
+                self.assertEqual(trouble, "")
+
+    def test_plainly_bad_values_are_refused_but_where_a_table_says_why(self):
+        taken, silent = {}, set()
+        for _, faults, places in TAKEN:
+            for place in places.split(", "):
+                taken.setdefault(place, set()).update(faults.split())
+        for name, argument, bad, error, _ in self.of_spoilt():
+            fault = fault_of(bad) if error is None else None
+            if fault:
+                function = name.split()[0]
+                places = (function + " " + argument, "* " + argument)
+                place = next((p for p in places if fault in taken.get(p, ())), None)
+                silent.add((place, fault))
+                with self.subTest(name, argument=argument, fault=fault, value=shown(bad)):
+                    self.assertIsNotNone(place, "refuse it, or say in taken_values.py why not")
+        stale = {(p, f) for p, faults in taken.items() for f in faults} - silent
+        self.assertEqual(stale, set(), "nothing takes these any more")
 
     def test_what_is_not_finite_is_refused(self):
         for name, (_, good) in CALLS.items():
@@ -219,6 +166,20 @@ class Outcomes(unittest.TestCase):
                         refused = self.outcome(name, **{argument: bad})
                         if place not in TAKES_ANY:
                             self.assertIsInstance(refused, core.InputError)
+
+    def test_docstrings_name_what_is_refused(self):
+        """All properties that a spoilt call was seen to name, and none where no call was refused."""
+        seen = {}
+        for name, _, _, error, _ in self.of_spoilt():
+            named = seen.setdefault(name.split()[0], set())
+            if isinstance(error, core.InputError):
+                named.add(error.property)
+        for name, named in seen.items():
+            claimed = claims(document(name))
+            if name not in GO_ON and name not in NAME_PLACES:
+                with self.subTest(name):
+                    missing = named - claimed - names_given(name)
+                    self.assertEqual((missing, bool(named)), (set(), bool(claimed)))
 
     @settings(max_examples=400, derandomize=True, database=None, deadline=None,
               suppress_health_check=list(HealthCheck))
@@ -240,6 +201,19 @@ class Outcomes(unittest.TestCase):
 
 
 class Complete(unittest.TestCase):
+    def test_every_function_says_what_it_raises(self):
+        for name, function in functions():
+            with self.subTest(name):
+                kinds = r"\bRaises (nothing|InputError (naming|for)|IndexError|what)"
+                self.assertRegex(document(name), kinds)
+        self.assertGreater(len(list(functions())), 150)
+
+    def test_a_docstring_without_it_would_be_found(self):
+        said = "Some. Raises InputError naming A, `b` or size of c."
+        self.assertEqual(claims(said), {"A", "b", "size of c"})
+        self.assertEqual(claims("Some. Raises nothing: they are checked later."), set())
+        self.assertEqual(claims("Half a sentence."), set())
+
     def test_every_function_with_arguments_is_called_here(self):
         called = {name.split()[0] for name in CALLS}
         missing = []
@@ -251,6 +225,40 @@ class Complete(unittest.TestCase):
                 missing.append(name)
         missing = set(missing) - called
         self.assertEqual(missing, set(), "add a good call of it to bound_calls.py")
+
+
+def functions():
+    """(name, function) of all functions and methods of the module."""
+    for name, value in vars(core).items():
+        if inspect.isclass(value) and value.__name__ == name and not issubclass(value, (int, ValueError)):
+            for own, method in vars(value).items():
+                method = getattr(method, "__func__", method)
+                if callable(method) and (own in OPERATORS or not own.startswith("_")):
+                    if not (method.__doc__ or "").startswith("Initialize self"):
+                        yield "%s.%s" % (name, own), method
+        elif callable(value) and not inspect.isclass(value):
+            yield name, value
+
+
+def document(name):
+    """The docstring of a function, a method, or a class with how it is made."""
+    found = core
+    for part in name.split("."):
+        found = getattr(found, part)
+    made = found.__init__.__doc__ if inspect.isclass(found) else ""
+    return " ".join(("%s %s" % (found.__doc__, made)).split())
+
+
+def claims(text):
+    """What a docstring says that InputErrors name."""
+    lists = re.findall(r"Raises InputError naming (.*?)(?:\.|:|$)", text)
+    return {n.strip("` ") for some in lists for n in re.split(r", | or ", some)}
+
+
+def names_given(name):
+    """What the call itself says that the property is called."""
+    good = next(good for n, (_, good) in CALLS.items() if n.split()[0] == name)
+    return {good.get("property", "mesh")} if "`property`" in document(name) else set()
 
 
 def takes_arguments(function):

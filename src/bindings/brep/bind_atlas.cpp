@@ -32,7 +32,7 @@ std::optional<LaidOnFaces> lay_on_faces(const patch::PatchPattern& pattern,
   const Progress report = progress_of(progress);
   const py::gil_scoped_release release;
   require_in_range("SteepestSlope", Angle::radians(steepest).degrees(), 0.01, 90.0, "degrees");
-  require_finite("Rotation", rotation, "rad");
+  require_in_range("Rotation", Angle::radians(rotation).degrees(), -1e6, 1e6, "degrees");
   if (start) require_finite("Origin", *start, "mm");
   const std::vector<TopoDS_Face> faces = all_faces(breps);
   patch::AtlasStart begin;
@@ -61,7 +61,8 @@ void bind_atlas(py::module_& m) {
           "lattice", [](const LaidOnFaces& l) { return l.lattice; }, "The SurfaceLattice.")
       .def(
           "cover", [](const LaidOnFaces& l) { return l.laid->cover(); },
-          py::call_guard<py::gil_scoped_release>(), "The patches that have lattice points.")
+          py::call_guard<py::gil_scoped_release>(),
+          "The patches that have lattice points. Raises nothing.")
       .def_property_readonly(
           "area", [](const LaidOnFaces& l) { return l.laid->atlas().area; },
           "Of the faces, inside their trimming [mm²].")
@@ -91,14 +92,16 @@ void bind_atlas(py::module_& m) {
         "False. Raises InputError naming Origin, Base or Spacing.");
   m.def("keep_apart", &patch::keep_apart, py::arg("dimples"), py::arg("least"),
         py::call_guard<py::gil_scoped_release>(),
-        "Leaves out dimples nearer than `least` [mm] to one before them; returns how many.");
+        "Leaves out dimples nearer than `least` [mm] to one before them; returns how many. Raises "
+        "InputError naming LeastDistance.");
   m.def(
       "nearest_distances",
       [](const patch::Dimples& dimples) {
         const std::vector<double> found = patch::nearest_distances(dimples);
         return column_of<double>(found, [](double d) { return d; });
       },
-      py::arg("dimples"), "Distance of each cut dimple to the nearest other one, in space [mm].");
+      py::arg("dimples"),
+      "Distance of each cut dimple to the nearest other one, in space [mm]. Raises nothing.");
 }
 
 }  // namespace patchmill

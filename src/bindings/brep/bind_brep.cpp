@@ -42,6 +42,7 @@ py::object place_dimples(const FaceSampler& sampler, const patch::PatchDivision&
 void keep_off_borders(patch::Dimples& dimples, const std::vector<std::string>& breps,
                       double margin) {
   if (margin == 0.0) return;
+  if (breps.empty()) throw InputError("Base", "no faces", "give those whose border is meant.");
   patch::keep_off_edges(dimples, border_segments(faces_of(breps), 0.01), margin);
 }
 
@@ -67,28 +68,32 @@ void bind_brep(py::module_& m) {
   py::class_<FaceSampler>(
       m, "FaceSampler", "Projects points of a texture plane on trimmed faces along its direction.")
       .def(py::init(&sampler_of), py::arg("breps"), py::arg("plane"), py::arg("steepest"),
-           "Faces as BREP texts; `steepest` [rad]: greatest angle of normal and -direction.")
+           "Faces as BREP texts; `steepest` [rad]: greatest angle of normal and -direction. Raises "
+           "InputError naming Base or SteepestSlope.")
       .def(
           "extent",
           [](const FaceSampler& s) {
             const auto [low, high] = s.extent();
             return py::make_tuple(low, high);
           },
-          "((x, y) least, (x, y) greatest) that the faces cover in the texture plane [mm].")
+          "((x, y) least, (x, y) greatest) that the faces cover in the texture plane [mm]. Raises "
+          "nothing.")
       .def("sample", &hits_dict, py::arg("points"),
-           "Projects (n, 2) points; a dict of arrays positions, normals, states (a DimpleState each: CUT, "
-           "OFF_FACE, TOO_STEEP or UNDERCUT).")
+           "Projects (n, 2) points; a dict of arrays positions, normals, states (a DimpleState "
+           "each: CUT, OFF_FACE, TOO_STEEP or UNDERCUT). Raises nothing.")
       .def("place", &place_dimples, py::arg("division"), py::arg("plane"), py::arg("surface"),
            py::arg("lattice") = py::none(), py::arg("progress") = py::none(),
            "Dimples of the division on the faces, projected or on a lattice laid on them, or None "
-           "if `progress` returned False.");
+           "if `progress` returned False. Raises InputError naming HeightFactor or ApexLift.");
   m.def(
       "facing", [](const std::vector<std::string>& breps) { return facing(faces_of(breps)); },
       py::arg("breps"), py::call_guard<py::gil_scoped_release>(),
-      "Unit vector to the side from which the faces look largest.");
+      "Unit vector to the side from which the faces look largest. Raises InputError naming "
+      "AutoDirection or Base.");
   m.def(
       "seen_best",
       [](const std::vector<std::string>& breps, const Vec3& preferred) {
+        if (breps.empty()) throw InputError("Base", "no faces", "give those to be seen.");
         SeenBest found;
         {
           const py::gil_scoped_release release;
@@ -101,11 +106,12 @@ void bind_brep(py::module_& m) {
       },
       py::arg("breps"), py::arg("preferred"),
       "The direction along which the faces look largest, and whether they look to all sides alike, "
-      "so "
-      "that `preferred` or an axis was chosen: a dict of direction and even.");
+      "so that `preferred` or an axis was chosen: a dict of direction and even. Raises InputError "
+      "naming Base or Direction.");
   m.def("keep_off_borders", &keep_off_borders, py::arg("dimples"), py::arg("breps"),
         py::arg("margin"), py::call_guard<py::gil_scoped_release>(),
-        "Leaves out dimples nearer than `margin` [mm] to the border of the faces together.");
+        "Leaves out dimples nearer than `margin` [mm] to the border of the faces together. Raises "
+        "InputError naming Base or Margin.");
 }
 
 }  // namespace patchmill

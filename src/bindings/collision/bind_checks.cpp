@@ -131,7 +131,8 @@ void bind_checks(py::module_& m) {
       },
       py::arg("brep"), py::arg("deflection"), py::arg("angle") = 0.35,
       py::call_guard<py::gil_scoped_release>(),
-      "A shape, given as BREP text, as one mesh; `deflection` [mm], `angle` [rad].");
+      "A shape, given as BREP text, as one mesh; `deflection` [mm], `angle` [rad]. Raises "
+      "InputError naming Shape, Deflection or DeflectionAngle.");
   py::class_<PartModel>(m, "PartModel",
                         "The part as closed meshes; known is False if it could not be.")
       .def_readonly("known", &PartModel::known)
@@ -147,16 +148,19 @@ void bind_checks(py::module_& m) {
             return out;
           },
           py::arg("points"), py::call_guard<py::gil_scoped_release>(),
-          "Signed distances [mm] of (n, 3) points, positive outside.");
+          "Signed distances [mm] of (n, 3) points, positive outside. Raises InputError naming Part "
+          "if the model is not known.");
   m.def("part_model", &part_model, py::arg("breps"), py::arg("deflection"),
         py::call_guard<py::gil_scoped_release>(),
-        "Meshes the solids of shapes given as BREP texts.");
+        "Meshes the solids of shapes given as BREP texts. Raises InputError naming Model or "
+        "Deflection.");
   m.def("check_clearance", &check, py::arg("path"), py::arg("sections"), py::arg("part"),
         py::arg("tolerance"), py::arg("clearance"), py::arg("resolution"),
         py::arg("most_findings") = 1000, py::arg("first_move") = 0,
         py::arg("progress") = py::none(),
         "Gouges and collisions of a path: outcome 'clear', 'violated' or 'unknown', and arrays. "
-        "`sections`: (part, from, to, radius_from, radius_to) above the tip [mm].");
+        "`sections`: (part, from, to, radius_from, radius_to) above the tip [mm]. Raises "
+        "InputError naming ToolSection, Tolerance, Clearance or Resolution.");
 }
 
 }  // namespace patchmill

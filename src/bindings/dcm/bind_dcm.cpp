@@ -1,10 +1,8 @@
-// Solids, voxel model, fields and their sections for Python.
+// Voxel model, fields and their sections for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "bindings/solid.h"
 #include "bindings/voxel/voxel_materials.h"
-#include "brep/read_shape.h"
-#include "brep/tessellate.h"
 #include "patchmill/dcm/field_reader.h"
 #include "patchmill/dcm/field_view.h"
 #include "patchmill/dcm/voxel_file.h"
@@ -16,43 +14,6 @@ namespace patchmill {
 namespace {
 const char* const kKindNames[voxel::kVoxelKinds] = {"air", "part", "removal", "surface",
                                                     "exterior"};
-
-Solid solid_of_brep(const std::string& brep, double deflection, const std::string& property,
-                    bool closed) {
-  require_named(property);
-  TessellationOptions options;
-  options.deflection = deflection;
-  Tessellation made = tessellate(read_shape(brep, property.c_str()), options);
-  if (closed && !made.closed)
-    throw InputError(property, "not a closed solid", made.reason + " Repair the shape.");
-  if (made.mesh.triangles.empty())
-    throw InputError(property, "no faces", made.reason + " Select a shape with faces.");
-  return Solid(std::move(made.mesh));
-}
-
-using Points = Eigen::Matrix<double, -1, 3, Eigen::RowMajor>;
-using Corners = Eigen::Matrix<std::int32_t, -1, 3, Eigen::RowMajor>;
-
-Solid solid_of_arrays(const Points& vertices, const Corners& triangles,
-                      const std::string& property) {
-  require_named(property);
-  mesh::TriangleMesh mesh;
-  for (Eigen::Index i = 0; i < vertices.rows(); ++i) mesh.vertices.emplace_back(vertices.row(i));
-  for (Eigen::Index i = 0; i < triangles.rows(); ++i)
-    mesh.triangles.push_back({triangles(i, 0), triangles(i, 1), triangles(i, 2)});
-  mesh::require_closed(mesh, property.c_str());
-  return Solid(std::move(mesh));
-}
-
-py::array_t<double> closest_distances(const Solid& solid, const Points& points) {
-  std::vector<double> d(static_cast<std::size_t>(points.rows()));
-  {
-    const py::gil_scoped_release release;
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-      d[i] = mesh::signed_distance(solid.bvh, points.row(i));
-  }
-  return column_of<double>(d, [](double v) { return v; });
-}
 
 dcm::ExteriorRule exterior_rule(const std::string& name) {
   if (name == "Held") return dcm::ExteriorRule::Held;
@@ -78,6 +39,14 @@ py::dict counts(const voxel::VoxelGrid& grid) {
   for (int k = 0; k < voxel::kVoxelKinds; ++k)
     d[kKindNames[k]] = count[static_cast<std::size_t>(k)];
   return d;
+}
+
+// Components of a posture that is stored for each voxel.
+int fields_of(int posture_fields) {
+  if (posture_fields != 2 && posture_fields != 3)
+    throw InputError("posture_fields", std::to_string(posture_fields),
+                     "give 2, for angles, or 3, for a vector's components.");
+  return posture_fields;
 }
 
 py::dict estimate_dict(const voxel::MemoryEstimate& need) {
@@ -142,41 +111,6 @@ std::pair<dcm::FeedField, int> transient_feed(const voxel::VoxelGrid& grid,
   return {std::move(field), steps};
 }
 
-void bind_solids(py::module_& m) {
-  py::class_<Solid>(m, "Solid", "A part or stock as triangles, with a tree over them. mm.")
-      .def(py::init(&solid_of_arrays), py::arg("vertices"), py::arg("triangles"),
-           py::arg("property") = "mesh", "(n, 3) corners and (m, 3) indices; must be closed.")
-      .def_static(
-          "box", [](const Vec3& lo, const Vec3& hi) { return Solid(mesh::box_mesh(lo, hi)); },
-          py::arg("low"), py::arg("high"))
-      .def_property_readonly("bounds",
-                             [](const Solid& s) {
-                               const mesh::Box b = mesh::bounds(s.mesh);
-                               return py::make_tuple(b.lo, b.hi);
-                             })
-      .def_property_readonly("volume", [](const Solid& s) { return mesh::volume(s.mesh); })
-      .def_property_readonly(
-          "vertices",
-          [](const Solid& s) { return rows_of(s.mesh.vertices, [](const Vec3& v) { return v; }); })
-      .def_property_readonly(
-          "triangles",
-          [](const Solid& s) {
-            py::array_t<std::int32_t> a(
-                {static_cast<py::ssize_t>(s.mesh.triangles.size()), py::ssize_t{3}});
-            auto out = a.mutable_unchecked<2>();
-            for (py::ssize_t i = 0; i < out.shape(0); ++i)
-              for (py::ssize_t k = 0; k < 3; ++k) out(i, k) = s.mesh.triangles[i][k];
-            return a;
-          })
-      .def_property_readonly("triangle_count",
-                             [](const Solid& s) { return s.mesh.triangles.size(); })
-      .def("signed_distances", &closest_distances, py::arg("points"),
-           "Of (n, 3) points from the surface [mm], negative inside; the solid must be closed.");
-  m.def("solid_of_brep", &solid_of_brep, py::arg("brep"), py::arg("deflection"),
-        py::arg("property"), py::arg("closed") = true, py::call_guard<py::gil_scoped_release>(),
-        "BREP text as a Solid. Raises InputError naming `property` if it is not closed.");
-}
-
 void bind_grid(py::module_& m) {
   py::class_<voxel::VoxelGrid>(m, "VoxelGrid", "The removal volume: stock less part, in cubes.")
       .def_property_readonly("pitch", [](const voxel::VoxelGrid& g) { return g.frame.pitch; })
@@ -189,33 +123,39 @@ void bind_grid(py::module_& m) {
           "Bytes of the model, its fields and the solver.")
       .def("section", &section_dict, py::arg("axis"), py::arg("place"), py::arg("feed") = nullptr,
            py::arg("direction") = Vec3(Vec3::UnitX()), py::arg("posture") = nullptr,
-           "One layer at right angles to axis 0, 1 or 2: kind (rows, columns), a VoxelKind each, origin, pitch, and "
-           "feed [mm/s] and unit axis (rows, columns, 3) of the fields given; NaN elsewhere.")
+           "One layer at right angles to axis 0, 1 or 2: kind (rows, columns), a VoxelKind each, "
+           "origin, pitch, and feed [mm/s] and unit axis (rows, columns, 3) of the fields given; "
+           "NaN elsewhere. Raises InputError naming axis, place, FeedField, Direction or "
+           "PostureField. `place` [mm].")
       .def("arrows", &arrows_tuple, py::arg("posture"), py::arg("stride") = 2,
-           "(places, unit axes), both (n, 3), of every stride-th voxel to be removed.");
+           "(places, unit axes), both (n, 3), of every stride-th voxel to be removed. Raises "
+           "InputError naming PostureField or stride.");
   m.def(
       "estimate_voxels",
       [](const Solid& stock, const Solid& part, double pitch, int posture_fields, bool materials) {
         const voxel::GridFrame frame = voxel::frame_over(mesh::bounds(stock.mesh), pitch);
         return estimate_dict(voxel::estimate_memory(
             frame, std::max(0.0, mesh::volume(stock.mesh) - mesh::volume(part.mesh)),
-            mesh::surface_area(stock.mesh) + mesh::surface_area(part.mesh), posture_fields,
-            materials));
+            mesh::surface_area(stock.mesh) + mesh::surface_area(part.mesh),
+            fields_of(posture_fields), materials));
       },
       py::arg("stock"), py::arg("part"), py::arg("pitch"), py::arg("posture_fields") = 2,
       py::arg("materials") = false,
       "Bytes foreseen, nothing allocated. `posture_fields`: 2 angles or 3 components; `materials`: "
-      "whether there are other than the stock's own.");
+      "whether there are other than the stock's own. Raises InputError naming voxel size or "
+      "posture_fields.");
   m.def(
       "voxelise",
       [](const Solid& stock, const Solid& part, double pitch, double limit, int posture_fields,
          bool materials) {
-        return voxel::voxelise(stock.mesh, part.mesh, {pitch, limit, posture_fields, materials});
+        return voxel::voxelise(stock.mesh, part.mesh,
+                               {pitch, limit, fields_of(posture_fields), materials});
       },
       py::arg("stock"), py::arg("part"), py::arg("pitch"),
       py::arg("memory_limit") = voxel::VoxelOptions().memory_limit, py::arg("posture_fields") = 2,
       py::arg("materials") = false, py::call_guard<py::gil_scoped_release>(),
-      "VoxelGrid with cubes of side `pitch` [mm].");
+      "VoxelGrid with cubes of side `pitch` [mm]. Raises InputError naming part, voxel size, "
+      "posture_fields or removal volume.");
   m.def(
       "save_voxels",
       [](const std::string& path, const std::string& key, const voxel::VoxelGrid& grid,
@@ -228,7 +168,9 @@ void bind_grid(py::module_& m) {
         dcm::write_voxel_model(path, key, model);
       },
       py::arg("path"), py::arg("key"), py::arg("grid"), py::arg("posture") = nullptr,
-      py::arg("materials") = nullptr, py::call_guard<py::gil_scoped_release>());
+      py::arg("materials") = nullptr, py::call_guard<py::gil_scoped_release>(),
+      "Writes a model to the file `path`; `key` says what it was made from. Raises InputError "
+      "naming voxel file, PostureField or Materials.");
   m.def(
       "load_voxels",
       [](const std::string& path, const std::string& key) -> py::object {
@@ -242,7 +184,8 @@ void bind_grid(py::module_& m) {
         return py::make_tuple(std::move(model->grid), posture, materials);
       },
       py::arg("path"), py::arg("key"),
-      "(grid, posture or None, materials or None), or None if made of other input.");
+      "(grid, posture or None, materials or None), or None if made of other input. Raises "
+      "nothing.");
 }
 
 }  // namespace
@@ -263,7 +206,6 @@ void bind_dcm(py::module_& m) {
           "Relative residual before the first iteration and after each.")
       .def_property_readonly("residual",
                              [](const dcm::PostureField& p) { return p.outcome.true_residual; });
-  bind_solids(m);
   bind_grid(m);
   m.def(
       "steady_feed",
@@ -271,7 +213,9 @@ void bind_dcm(py::module_& m) {
         return dcm::steady_feed(grid, {low, high}, exterior_rule(exterior));
       },
       py::arg("grid"), py::arg("low"), py::arg("high"), py::arg("exterior") = "Held",
-      py::call_guard<py::gil_scoped_release>(), "FeedField between V_Lo and V_Hi [mm/s].");
+      py::call_guard<py::gil_scoped_release>(),
+      "FeedField between V_Lo and V_Hi [mm/s]. Raises InputError naming lower feed, upper feed or "
+      "Exterior.");
   m.def(
       "diffuse_feed",
       [](const voxel::VoxelGrid& grid, double low, double high, double time, double step,
@@ -281,7 +225,9 @@ void bind_dcm(py::module_& m) {
       py::arg("grid"), py::arg("low"), py::arg("high"), py::arg("time"), py::arg("step"),
       py::arg("diffusivity"), py::arg("substep") = false, py::arg("exterior") = "Held",
       py::call_guard<py::gil_scoped_release>(),
-      "(FeedField after `time` [s], steps taken); steps beyond the limit are refused or divided.");
+      "(FeedField after `time` [s], steps taken); steps beyond the limit are refused or divided. "
+      "Raises InputError naming lower feed, upper feed, Exterior, diffusion time, time step, "
+      "number of time steps or diffusion coefficient.");
   m.def(
       "steady_posture",
       [](const voxel::VoxelGrid& grid, const Solid& part, const std::string& form,
@@ -294,7 +240,8 @@ void bind_dcm(py::module_& m) {
       py::arg("grid"), py::arg("part"), py::arg("form") = "Angles", py::arg("exterior") = "Held",
       py::arg("limit") = dcm::PostureOptions().limit.radians(),
       py::arg("crease") = dcm::PostureOptions().crease.radians(), py::arg("progress") = py::none(),
-      "PostureField; `limit` and `crease` [rad].");
+      "PostureField; `limit` and `crease` [rad]. Raises InputError naming PostureForm, Exterior, "
+      "posture limit or crease.");
 }
 
 }  // namespace patchmill

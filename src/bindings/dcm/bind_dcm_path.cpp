@@ -148,7 +148,10 @@ void bind_copy(py::module_& m) {
            py::arg("mode"), py::arg("tool"), py::arg("spindle"), py::arg("feed"),
            py::arg("radial_depth"), py::arg("axial_depth"), py::arg("tolerance"),
            py::arg("allowance"), py::arg("low"), py::arg("high"), py::arg("clearance"),
-           py::arg("overlap") = 0.0);
+           py::arg("overlap") = 0.0,
+           "`mode`: Scanning, Scanning with undercuts or Contour; `feed` [mm/s], lengths in mm; "
+           "the stock is the box from `low` to `high`. Raises InputError naming Mode. copy_mill "
+           "refuses the rest.");
   m.def(
       "copy_mill",
       [](const Solid& part, const copy::CopyOptions& options, const py::object& progress) {
@@ -159,9 +162,9 @@ void bind_copy(py::module_& m) {
       },
       py::arg("part"), py::arg("options"), py::arg("progress") = py::none(),
       "(ToolPath of a ball end mill over the part, layer by layer from the stock; how many lines "
-      "cannot be "
-      "reached from above and were left out). If progress(share) returns False: what was done so "
-      "far.");
+      "cannot be reached from above and were left out). If progress(share) returns False: what was "
+      "done so far. Raises InputError naming feed, radial depth of cut, axial depth of cut, depth "
+      "of cut, tolerance, allowance, stock, clearance or overlap.");
   m.def(
       "over_faces",
       [](const ToolPath& path, const Solid& part, const Solid& faces,
@@ -173,12 +176,15 @@ void bind_copy(py::module_& m) {
       py::arg("path"), py::arg("part"), py::arg("faces"), py::arg("options"),
       py::arg("progress") = py::none(),
       "Of a path that copy_mill made of `part` with `options`, the cuts on which the ball works on "
-      "`faces`; all else is left out. If progress(share) returns False: what was done so far.");
+      "`faces`; all else is left out. If progress(share) returns False: what was done so far. "
+      "Raises nothing.");
   m.def("with_plunge_feed", &copy::with_plunge_feed, py::arg("path"), py::arg("vertical"),
         py::call_guard<py::gil_scoped_release>(),
-        "The path with no timed move going down faster than `vertical` [mm/s].");
+        "The path with no timed move going down faster than `vertical` [mm/s]. Raises InputError "
+        "naming VertFeed.");
   m.def("joined", &joined, py::arg("paths"),
-        "Paths one after the other, a rapid between; tool and spindle are the first one's.");
+        "Paths one after the other, a rapid between; tool and spindle are the first one's. Raises "
+        "InputError naming path.");
   m.def(
       "scallop_height",
       [](double radius, double cross_feed) {
@@ -187,8 +193,8 @@ void bind_copy(py::module_& m) {
         return scallop_height(Tool{radius, 1}, cross_feed);
       },
       py::arg("radius"), py::arg("cross_feed"),
-      "Ridge on a flat between passes [mm]; the radius where the ball does not reach between "
-      "them.");
+      "Ridge on a flat between passes [mm]; the radius where the ball does not reach between them. "
+      "Raises InputError naming BallRadius or CrossFeed.");
 }
 
 copy::LiveConditions changed(const copy::LiveConditions& now, const std::optional<double>& radial,
@@ -211,10 +217,12 @@ void bind_live(py::module_& m) {
            py::arg("part"), py::arg("grid"), py::arg("options"), py::arg("low"), py::arg("high"),
            py::arg("materials") = nullptr, py::arg("factors") = std::vector<double>(),
            py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
-           "V_Lo and V_Hi in mm/s; `factors` on the feed, the stock's own first, as scale_feed's.")
+           "V_Lo and V_Hi in mm/s; `factors` on the feed, the stock's own first, as scale_feed's. "
+           "Raises InputError naming lowest feed or highest feed.")
       .def("next", &copy::LiveSession::next, py::arg("seconds"),
            py::call_guard<py::gil_scoped_release>(),
-           "ToolPath of the next moves, at most `seconds`; without moves when all is cut.")
+           "ToolPath of the next moves, at most `seconds`; without moves when all is cut. Raises "
+           "InputError naming batch time.")
       .def(
           "change",
           [](copy::LiveSession& s, const std::optional<double>& radial,
@@ -225,7 +233,8 @@ void bind_live(py::module_& m) {
           py::arg("radial_depth") = py::none(), py::arg("axial_depth") = py::none(),
           py::arg("low") = py::none(), py::arg("high") = py::none(),
           "From the next batch on; what is not given stays. The radial depth from the next line "
-          "on.")
+          "on. Raises InputError naming radial depth of cut, axial depth of cut, lowest feed or "
+          "highest feed.")
       .def_property_readonly("done", &copy::LiveSession::done)
       .def_property_readonly("line", &copy::LiveSession::line)
       .def_property_readonly("level", &copy::LiveSession::level)
@@ -251,13 +260,18 @@ void bind_dcm_path(py::module_& m) {
         py::arg("axis_tolerance") = 0.0043633231299858, py::arg("axis_rate") = kNoLimit,
         py::arg("acceleration") = kNoLimit,
         "(path, number of the given move of each move, places where no axis was clear). `holder`: "
-        "frusta (from, to, radius from, radius to), heights above the ball centre [mm].");
-  m.def("path_steps", &steps_dict, py::arg("path"),
-        "Largest changes from move to move: feed [mm/s], axis [rad], rate [rad/s].");
+        "frusta (from, to, radius from, radius to), heights above the ball centre [mm]. Raises "
+        "InputError naming FeedField, PostureField, Reading, ReadAt, holder section, height of "
+        "holder section, radius of holder section, holder clearance, lowest axis, feed tolerance, "
+        "axis tolerance, axis rate or acceleration.");
+  m.def(
+      "path_steps", &steps_dict, py::arg("path"),
+      "Largest changes from move to move: feed [mm/s], axis [rad], rate [rad/s]. Raises nothing.");
   m.def("holder_clearance", &clearance_dict, py::arg("part"), py::arg("holder"), py::arg("path"),
         py::arg("clearance"), py::arg("step") = 0.5,
         "Smallest distance of the holder from the part along the timed moves [mm], where, and how "
-        "many moves come nearer than `clearance`.");
+        "many moves come nearer than `clearance`. Raises InputError naming holder section, height "
+        "of holder section, radius of holder section, holder clearance or step.");
   m.def(
       "hurry_in_air",
       [](const ToolPath& path, const voxel::VoxelGrid& grid, double feed) {
@@ -271,7 +285,7 @@ void bind_dcm_path(py::module_& m) {
       },
       py::arg("path"), py::arg("grid"), py::arg("feed"),
       "(path with moves through emptied voxels at `feed` [mm/s], number of the given move of "
-      "each)");
+      "each). Raises InputError naming feed in air.");
   bind_copy(m);
   bind_live(m);
 }

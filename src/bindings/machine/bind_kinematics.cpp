@@ -94,12 +94,21 @@ py::dict load_dict(const machine::Kinematics& machine, const machine::PosturePat
 void bind_machine_chain(py::module_& m) {
   py::class_<machine::Kinematics>(m, "Kinematics",
                                   "Rotary axes in chain order, from the work to the tool.")
-      .def(py::init(&kinematics_of), py::arg("lowest"), py::arg("highest"), py::arg("work_zero"))
-      .def("add_rotary", &add_rotary, py::arg("letter"), py::arg("side"), py::arg("direction"),
-           py::arg("point"), py::arg("lowest"), py::arg("highest"), py::arg("rate"),
-           py::arg("acceleration"))
-      .def("require_valid",
-           [](const machine::Kinematics& machine) { machine::require_valid(machine); })
+      .def(py::init(&kinematics_of), py::arg("lowest"), py::arg("highest"), py::arg("work_zero"),
+           "Limits of X Y Z and the work zero, in the machine [mm]. Raises nothing: require_valid "
+           "refuses it.")
+      .def(
+          "add_rotary", &add_rotary, py::arg("letter"), py::arg("side"), py::arg("direction"),
+          py::arg("point"), py::arg("lowest"), py::arg("highest"), py::arg("rate"),
+          py::arg("acceleration"),
+          "The next axis on the way from the work to the tool: A, B or C on the table or the head; "
+          "its direction and a point on it [mm], limits [rad], rate [rad/s] and acceleration "
+          "[rad/s2]. Raises InputError naming letter or side. The rest is for require_valid.")
+      .def(
+          "require_valid",
+          [](const machine::Kinematics& machine) { machine::require_valid(machine); },
+          "Refuses a machine that there cannot be. Raises InputError naming the place in the "
+          "machine file: rotary_axes/0/direction, linear_limits_mm, work_zero_mm and so on.")
       .def_property_readonly("letters",
                              [](const machine::Kinematics& machine) {
                                std::string letters;
@@ -112,7 +121,8 @@ void bind_machine_chain(py::module_& m) {
           [](const machine::Kinematics& machine, const machine::Joints& joints) {
             return machine::tool_axis(machine, finite(joints));
           },
-          py::arg("joints"), "Unit tool axis in the work frame, from tip to holder.")
+          py::arg("joints"),
+          "Unit tool axis in the work frame, from tip to holder. Raises InputError naming Joints.")
       .def(
           "contact_azimuth",
           [](const machine::Kinematics& machine, const machine::Joints& joints,
@@ -121,7 +131,7 @@ void bind_machine_chain(py::module_& m) {
           },
           py::arg("joints"), py::arg("normal"),
           "Azimuth [rad] of the contact point as seen from the housing; `normal` in the work "
-          "frame.")
+          "frame. Raises InputError naming Joints or normal.")
       .def(
           "solve_axis",
           [](const machine::Kinematics& machine, const Vec3& axis) {
@@ -131,37 +141,46 @@ void bind_machine_chain(py::module_& m) {
               all.push_back(s.joints);
             return all;
           },
-          py::arg("axis"), "Both ways to point the tool along `axis`, without limits and turns.")
+          py::arg("axis"),
+          "Both ways to point the tool along `axis`, without limits and turns. Raises InputError "
+          "naming axis.")
       .def(
           "pivot_referred",
           [](const machine::Kinematics& machine, const Vec3& point, const machine::Joints& joints) {
             return machine::pivot_referred(machine, finite(point), finite(joints));
           },
           py::arg("point"), py::arg("joints"),
-          "What X Y Z are told without TCP for a programmed point of the work frame [mm].")
+          "What X Y Z are told without TCP for a programmed point of the work frame [mm]. Raises "
+          "InputError naming Point or Joints.")
       .def(
           "in_work_frame",
           [](const machine::Kinematics& machine, const Vec3& linear,
              const machine::Joints& joints) {
             return machine::in_work_frame(machine, finite(linear), finite(joints));
           },
-          py::arg("linear"), py::arg("joints"), "The inverse of pivot_referred [mm].");
+          py::arg("linear"), py::arg("joints"),
+          "The inverse of pivot_referred [mm]. Raises InputError naming Point or Joints.");
 }
 
 void bind_form(py::module_& m) {
   py::class_<gcode::ProgramForm>(m, "ProgramForm",
                                  "With TCP or without; programmed point; chords [mm].")
       .def(py::init(&form_of), py::arg("tcp") = true, py::arg("reference") = "tip",
-           py::arg("chord") = 1e-3, py::arg("chord_clear") = 0.0)
+           py::arg("chord") = 1e-3, py::arg("chord_clear") = 0.0,
+           "`reference`: tip or ball centre; chords [mm]. Raises InputError naming reference. "
+           "`programmed` refuses Chord and ChordClear.")
       .def_readonly("tcp", &gcode::ProgramForm::tcp);
   m.def("with_tool", &gcode::with_tool, py::arg("machine"), py::arg("tool_length"), py::arg("form"),
-        py::arg("tool"), "`machine` with the tool length that the form's programmed point has.");
+        py::arg("tool"),
+        "`machine` with the tool length that the form's programmed point has. Raises InputError "
+        "naming ToolLength.");
 }
 
 void bind_joints(py::module_& m) {
   m.def("plan_joints", &plan_dict, py::arg("machine"), py::arg("axes"), py::arg("clear"),
         py::arg("pole_tolerance") = 1e-9,
-        "Joints along axes (n, 3) by least travel within limits; unwinding only where `clear`.");
+        "Joints along axes (n, 3) by least travel within limits; unwinding only where `clear`. "
+        "Raises InputError naming clear, axes or PoleTolerance.");
   py::class_<machine::PosturePath>(m, "PosturePath", "A path with the angles of its rotary axes.")
       .def_readonly("path", &machine::PosturePath::path)
       .def_property_readonly(
@@ -181,7 +200,7 @@ void bind_joints(py::module_& m) {
       py::arg("machine"), py::arg("path"), py::arg("pole_tolerance") = 1e-9,
       py::arg("decimals") = py::none(), py::call_guard<py::gil_scoped_release>(),
       "Any ToolPath with angles, put on decimals of a degree if given. Raises InputError naming "
-      "ToolAxis.");
+      "ToolAxis, PoleTolerance or Decimals.");
   m.def(
       "programmed",
       [](const machine::PosturePath& posture, const machine::Kinematics& machine,
@@ -190,9 +209,10 @@ void bind_joints(py::module_& m) {
       },
       py::arg("posture"), py::arg("machine"), py::arg("form"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
-      "What X Y Z are told, on the decimals; without TCP moves may be split.");
+      "What X Y Z are told, on the decimals; without TCP moves may be split. Raises InputError "
+      "naming Chord, ChordClear or Decimals.");
   m.def("axis_load", &load_dict, py::arg("machine"), py::arg("posture"),
-        "What a path asks of the axes, as shares of limits.");
+        "What a path asks of the axes, as shares of limits. Raises nothing.");
 }
 
 }  // namespace

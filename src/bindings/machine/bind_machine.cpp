@@ -54,13 +54,15 @@ std::string program_of(const std::vector<std::string>& texts, const std::string&
 
 void bind_text(py::module_& m) {
   py::class_<PathText>(m, "PathText", "Lines for Path.Path(), in parts; str() gives the whole.")
-      .def("__len__", &PathText::parts)
-      .def("__getitem__",
-           [](const PathText& text, std::size_t i) {
-             if (i >= text.parts()) throw py::index_error();
-             return py::str(text.part(i).data(), text.part(i).size());
-           })
-      .def("__str__", &PathText::whole);
+      .def("__len__", &PathText::parts, "How many parts it is in. Raises nothing.")
+      .def(
+          "__getitem__",
+          [](const PathText& text, std::size_t i) {
+            if (i >= text.parts()) throw py::index_error();
+            return py::str(text.part(i).data(), text.part(i).size());
+          },
+          "A part of the text. Raises IndexError beyond the last.")
+      .def("__str__", &PathText::whole, "All parts, one after the other. Raises nothing.");
   m.def(
       "freecad_text",
       [](const ToolPath& path, std::optional<double> feed, int decimals, bool exact_stop) {
@@ -71,7 +73,7 @@ void bind_text(py::module_& m) {
       py::arg("path"), py::arg("feed"), py::arg("decimals"), py::arg("exact_stop") = false,
       py::call_guard<py::gil_scoped_release>(),
       "A constant-feed path as text for Path.Path(text); `feed` [mm/s], or None for a path whose "
-      "moves have their own. `exact_stop`: G61 first.");
+      "moves have their own. `exact_stop`: G61 first. Raises InputError naming Feed or Decimals.");
 }
 
 gcode::ProgramSection section_part(const gcode::ProgramSection& whole, std::size_t first,
@@ -168,7 +170,8 @@ void bind_reader(py::module_& m) {
       .def_readonly("extra_moves", &gcode::PlanMatch::extra_moves)
       .def_readonly("lost_moves", &gcode::PlanMatch::lost_moves);
   m.def("match_plan", &gcode::match_plan, py::arg("read"), py::arg("plan"), py::arg("tolerance"),
-        "Gives the moves of `read` the kinds and dimple numbers of `plan`, in place.");
+        "Gives the moves of `read` the kinds and dimple numbers of `plan`, in place. Raises "
+        "InputError naming Tolerance.");
 }
 
 py::dict control_dict(const gcode::Control& control) {
@@ -223,24 +226,24 @@ void bind_writer(py::module_& m) {
         return all;
       },
       "What each control can do, as dicts: name, title, max_decimals, tcp, inverse_time, "
-      "spindle_lock, cycles, "
-      "offsets.");
+      "spindle_lock, cycles, offsets. Raises nothing.");
   m.def(
       "feeds_of", [](const std::string& text) { return gcode::feeds_of(text); }, py::arg("text"),
-      "The values of all F words of a path's text, in their order.");
+      "The values of all F words of a path's text, in their order. Raises nothing.");
   m.def("with_feeds", &gcode::with_feeds, py::arg("text"), py::arg("feeds"),
         py::call_guard<py::gil_scoped_release>(),
         "A path's text with its F words replaced by `feeds`, where they are the same but for "
-        "FreeCAD's six "
-        "decimals.");
+        "FreeCAD's six decimals. Raises InputError naming feeds.");
   m.def("with_decimal_points", &with_decimal_points, py::arg("call"),
-        "call() with decimal points in this thread, whatever locale the process has.");
+        "call() with decimal points in this thread, whatever locale the process has. Raises what "
+        "call() does.");
   m.def(
       "safe_comment",
       [](const std::string& dialect, const std::string& text) {
         return gcode::safe_comment(gcode::control_of(dialect).comments, text);
       },
-      py::arg("dialect"), py::arg("text"), "`text` as a comment that the control never acts on.");
+      py::arg("dialect"), py::arg("text"),
+      "`text` as a comment that the control never acts on. Raises InputError naming Dialect.");
 }
 
 }  // namespace

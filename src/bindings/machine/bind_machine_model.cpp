@@ -96,7 +96,9 @@ void bind_paths(py::module_& m) {
                               "Spindle-locked or feed-paced, with lift and heights [mm].")
       .def(py::init(&rule_of), py::arg("locked"), py::arg("phase"), py::arg("lift"),
            py::arg("safe_height"), py::arg("clearance_height"),
-           py::arg("turning") = std::vector<double>(), py::arg("rows") = false);
+           py::arg("turning") = std::vector<double>(), py::arg("rows") = false,
+           "`turning` [s] at each dimple, for rotary axes; heights and `lift` in mm. Raises "
+           "nothing: paced_path refuses what cannot be planned.");
   m.def(
       "paced_path",
       [](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
@@ -107,7 +109,9 @@ void bind_paths(py::module_& m) {
       },
       py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("rule"), py::arg("model"),
       py::arg("decimals"), py::call_guard<py::gil_scoped_release>(),
-      "(path, least height of the ball between rows when a tooth comes by [mm]).");
+      "(path, least height of the ball between rows when a tooth comes by [mm]). Raises InputError "
+      "naming Lift, SafeHeight, ClearanceHeight, Turning, ToolAxis, Spacing, MaxVelocity or "
+      "Decimals.");
   m.def(
       "fit_to_stops",
       [](const ToolPath& path, const machine::MotionModel& model, double feed,
@@ -117,7 +121,8 @@ void bind_paths(py::module_& m) {
       },
       py::arg("path"), py::arg("model"), py::arg("feed"), py::arg("rule"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
-      "A constant-feed path with its legs fitted to the machine's stops; `feed` [mm/s].");
+      "A constant-feed path with its legs fitted to the machine's stops; `feed` [mm/s]. Raises "
+      "InputError naming Feed or Decimals.");
   m.def(
       "freecad_paced_text",
       [](const ToolPath& path, const machine::MotionModel& model, int decimals) {
@@ -125,7 +130,8 @@ void bind_paths(py::module_& m) {
       },
       py::arg("path"), py::arg("model"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
-      "A paced path as text for Path.Path(text): G0, G1, G33, G61, G64.");
+      "A paced path as text for Path.Path(text): G0, G1, G33, G61, G64. Raises InputError naming "
+      "Decimals.");
 }
 
 void bind_verdict(py::module_& m) {
@@ -138,9 +144,11 @@ void bind_verdict(py::module_& m) {
       .def_property_readonly("largest", [](const sync::Verdict& v) { return v.largest.radians(); });
   m.def("judge_plan", &judge_plan, py::arg("plan"), py::arg("dimples"), py::arg("tool"),
         py::arg("spindle"), py::arg("rule"), py::arg("model"),
-        "`plan`: a function from Spindle to ToolPath, tried at several speeds.");
+        "`plan`: a function from Spindle to ToolPath, tried at several speeds. Raises InputError "
+        "naming Plan. What `plan` raises is raised.");
   m.def("predicted_phase", &predicted_dict, py::arg("path"), py::arg("model"), py::arg("dimples"),
-        py::arg("rule"), "The motion model's phase error at each dimple, start phase taken away.");
+        py::arg("rule"),
+        "The motion model's phase error at each dimple, start phase taken away. Raises nothing.");
 }
 
 }  // namespace
@@ -149,7 +157,10 @@ void bind_machine_model(py::module_& m) {
   py::class_<machine::MotionModel>(m, "MotionModel", "What a controller makes of a path. mm, s.")
       .def(py::init(&model_of), py::arg("velocity"), py::arg("acceleration"),
            py::arg("jerk") = machine::kNoJerkLimit, py::arg("period") = 1e-3,
-           py::arg("tolerance") = 0.0, py::arg("spindle_lock") = false)
+           py::arg("tolerance") = 0.0, py::arg("spindle_lock") = false,
+           "Limits [mm/s], [mm/s2] and [mm/s3], servo period [s], tolerance of corners [mm]; "
+           "`spindle_lock`: it has G33. Raises InputError naming MaxVelocity, MaxAcceleration, "
+           "MaxJerk, ServoPeriod or PathTolerance.")
       .def_readonly("acceleration", &machine::MotionModel::acceleration)
       .def_readonly("velocity", &machine::MotionModel::velocity)
       .def_readonly("spindle_lock", &machine::MotionModel::spindle_lock);
@@ -160,26 +171,35 @@ void bind_machine_model(py::module_& m) {
       [](int flutes, const sync::PhaseRule& rule) {
         return sync::phase_period(flutes, rule.flutes).radians();
       },
-      py::arg("flutes"), py::arg("rule"));
+      py::arg("flutes"), py::arg("rule"),
+      "The spindle angle [rad] after which a flute is where one was. Raises InputError naming "
+      "Flutes.");
   m.def(
       "calibration_side",
       [](double period, double step) {
         return sync::calibration_side(Angle::radians(period), Angle::radians(step));
       },
-      py::arg("period"), py::arg("step"), "Dimples along the side of the calibration patch.");
+      py::arg("period"), py::arg("step"),
+      "Dimples along the side of the calibration patch. Raises InputError naming PhasePeriod or "
+      "PhaseStep. Angles in rad.");
   m.def(
       "start_phase",
       [](std::int64_t best, double step, double period) {
         return sync::start_phase(best, Angle::radians(step), Angle::radians(period)).radians();
       },
-      py::arg("best_dimple"), py::arg("step"), py::arg("period"));
+      py::arg("best_dimple"), py::arg("step"), py::arg("period"),
+      "The start phase [rad] that the best dimple of a calibration patch says, counted from 0; "
+      "`step` per dimple and `period` [rad]. Raises InputError naming BestDimple, PhaseStep or "
+      "PhasePeriod.");
   m.def(
       "with_start_phase",
       [](const ToolPath& path, double phase, double period, int decimals) {
         return sync::with_start_phase(path, Angle::radians(phase), Angle::radians(period),
                                       Decimals(decimals));
       },
-      py::arg("path"), py::arg("start_phase"), py::arg("period"), py::arg("decimals"));
+      py::arg("path"), py::arg("start_phase"), py::arg("period"), py::arg("decimals"),
+      "The path with the spindle turned on by period less `start_phase` [rad] before its first "
+      "dimple. Raises InputError naming StartPhase, PhasePeriod, Path or Decimals.");
 }
 
 }  // namespace patchmill

@@ -172,11 +172,11 @@ void bind_motion(py::module_& m) {
       .def_property_readonly("runs", [](const marks::ToolMotion& v) { return v.runs.size(); })
       .def_readonly("untimed_moves", &marks::ToolMotion::untimed_moves)
       .def_readonly("standing_moves", &marks::ToolMotion::standing_moves);
-  m.def(
-      "motion_of_path", &motion_of_path, py::arg("path"), py::arg("dimples"), py::arg("rule"),
-      py::arg("start_phase") = py::none(), py::arg("housing") = py::none(),
-      "The motion of a path; `start_phase` [rad] of flute 0, or None: right at the first dimple of "
-      "every run. `housing`: see housing_x; None for an upright tool.");
+  m.def("motion_of_path", &motion_of_path, py::arg("path"), py::arg("dimples"), py::arg("rule"),
+        py::arg("start_phase") = py::none(), py::arg("housing") = py::none(),
+        "The motion of a path; `start_phase` [rad] of flute 0, or None: right at the first dimple "
+        "of every run. `housing`: see housing_x; None for an upright tool. Raises InputError "
+        "naming StartPhase or HousingAxis.");
   m.def(
       "housing_x",
       [](const machine::Kinematics& machine, const Rows2& joints) {
@@ -188,11 +188,13 @@ void bind_motion(py::module_& m) {
         return rows_of(x, [](const Vec3& v) { return v; });
       },
       py::arg("machine"), py::arg("joints"),
-      "Azimuth 0 of the spindle's housing in the work frame, (n, 3), for (n, 2) angles [rad].");
+      "Azimuth 0 of the spindle's housing in the work frame, (n, 3), for (n, 2) angles [rad]. "
+      "Raises InputError naming Joints.");
   m.def("motion_of_samples", &motion_of_samples, py::arg("time"), py::arg("tips"),
         py::arg("spindle_angle"), py::arg("spindle"), py::arg("radius"),
         py::arg("axes") = py::none(),
-        "The motion of a recording: [s], (n, 3) [mm], azimuth of flute 0 [rad] unwrapped.");
+        "The motion of a recording: [s], (n, 3) [mm], azimuth of flute 0 [rad] unwrapped. Raises "
+        "InputError naming Samples, Time, Tip, SpindleAngle, BallRadius or Axis.");
   m.def(
       "path_on_machine",
       [](const ToolPath& path, const machine::MotionModel& model) {
@@ -200,7 +202,8 @@ void bind_motion(py::module_& m) {
         return py::make_tuple(made.known, made.reason, std::move(made.path));
       },
       py::arg("path"), py::arg("model"),
-      "(known, reason why not, the path with the turns that the motion model predicts).");
+      "(known, reason why not, the path with the turns that the motion model predicts). Raises "
+      "nothing.");
   m.def(
       "best_start_phase",
       [](const ToolPath& path, const patch::Dimples& dimples, const sync::PhaseRule& rule) {
@@ -209,7 +212,8 @@ void bind_motion(py::module_& m) {
             .radians();
       },
       py::arg("path"), py::arg("dimples"), py::arg("rule"),
-      "Azimuth of flute 0 at the start [rad] that takes the mean phase error away.");
+      "Azimuth of flute 0 at the start [rad] that takes the mean phase error away. Raises "
+      "InputError naming SpindleTurns.");
 }
 
 }  // namespace
@@ -238,20 +242,24 @@ void bind_marks(py::module_& m) {
                              [](const marks::TextureMarks& v) { return v.statistics.evaluations; })
       .def("surface", &surface, py::arg("base"), py::arg("reach"), py::arg("row"), py::arg("rows"),
            py::arg("column"), py::arg("columns"), py::arg("stride"),
-           "(points (r, c, 3) [mm], heights (r, c)) of a block, every `stride`-th cell.");
+           "(points (r, c, 3) [mm], heights (r, c)) of a block, every `stride`-th cell. Raises "
+           "InputError naming Base, Reach or Block.");
   m.def("simulate_texture", &simulate, py::arg("motion"), py::arg("tool"), py::arg("plane"),
         py::arg("low"), py::arg("high"), py::arg("step"), py::arg("stock"),
         py::arg("base") = py::none(), py::arg("reach") = 1.0, py::arg("helix") = 0.0,
         py::arg("runout") = std::vector<double>{}, py::arg("least_depth") = 0.002,
         py::arg("halo") = 1.0, py::arg("memory_limit") = 4e9, py::arg("progress") = py::none(),
         "The relief over `low` to `high` of the plane [mm] and its dimples; `base`: a FaceSampler, "
-        "Dimples (the planes of patches), or None (the plane).");
+        "Dimples (the planes of patches), or None (the plane). Raises InputError naming Base, "
+        "Reach, HelixAngle, Runout, LeastDepth, Halo, Memory, GridSize, GridStep or Stock.");
   m.def("compare_window", &compare_dict, py::arg("marks"), py::arg("dimples"), py::arg("low"),
         py::arg("high"), py::arg("spacing"),
-        "The dimples of a window and how they compare with the plan: arrays and figures.");
+        "The dimples of a window and how they compare with the plan: arrays and figures. Raises "
+        "InputError naming Window or Spacing.");
   m.def("classify_alignment", &alignment_dict, py::arg("places"), py::arg("feed"),
         py::arg("feed_per_tooth"), py::arg("cross_feed"),
-        "How marks line up along rows: state, shift, agreement.");
+        "How marks line up along rows: state, shift, agreement. Raises InputError naming Places, "
+        "FeedDirection, FeedPerTooth or CrossFeed.");
 }
 
 }  // namespace patchmill

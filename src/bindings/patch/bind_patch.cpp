@@ -109,7 +109,9 @@ void bind_states(py::module_& m) {
 void bind_dimples(py::module_& m) {
   bind_states(m);
   py::class_<patch::Dimples>(m, "Dimples", "All lattice points tried, in milling order.")
-      .def("__len__", [](const patch::Dimples& d) { return d.size(); })
+      .def(
+          "__len__", [](const patch::Dimples& d) { return d.size(); },
+          "How many lattice points were tried. Raises nothing.")
       .def_property_readonly(
           "positions",
           [](const patch::Dimples& d) {
@@ -147,13 +149,16 @@ void bind_dimples(py::module_& m) {
             return column_of<double>(d, [](const patch::Dimple& v) { return v.depth; });
           },
           "How far below the face the bottoms lie [mm].")
-      .def("counts", &counts_dict, "Number of dimples of each state, by name.");
-  m.def("state_names", [] {
-    std::vector<std::string> names;
-    for (int s = 0; s < patch::kDimpleStates; ++s)
-      names.emplace_back(patch::name(static_cast<patch::DimpleState>(s)));
-    return names;
-  });
+      .def("counts", &counts_dict, "Number of dimples of each state, by name. Raises nothing.");
+  m.def(
+      "state_names",
+      [] {
+        std::vector<std::string> names;
+        for (int s = 0; s < patch::kDimpleStates; ++s)
+          names.emplace_back(patch::name(static_cast<patch::DimpleState>(s)));
+        return names;
+      },
+      "The DimpleStates as phrases, in their order. Raises nothing.");
 }
 
 void bind_division(py::module_& m) {
@@ -161,7 +166,8 @@ void bind_division(py::module_& m) {
                                   "Shape, spacing [mm], size and helix of patches.")
       .def(py::init(&pattern_of), py::arg("shape"), py::arg("spacing"), py::arg("size"),
            py::arg("order") = "Inward", py::arg("start") = "Same corner", py::arg("across") = 0,
-           "`across` [dimples] is the other side of shapes that have two; 0: as `size`.")
+           "`across` [dimples] is the other side of shapes that have two; 0: as `size`. Raises "
+           "InputError naming PatchShape, Spacing, PatchSide, HelixOrder or HelixStart.")
       .def_readonly("spacing", &patch::PatchPattern::spacing)
       .def_property_readonly("size", [](const patch::PatchPattern& p) { return p.size.side; })
       .def_property_readonly("across", [](const patch::PatchPattern& p) { return p.size.across; })
@@ -173,40 +179,52 @@ void bind_division(py::module_& m) {
           "Area of the plane that one lattice point stands for [mm²].");
   py::class_<patch::PatchSurface>(m, "PatchSurface", "Planar, pyramid or curved patches.")
       .def(py::init(&surface_of), py::arg("kind"), py::arg("fit") = "Best fit",
-           py::arg("height_factor") = 1.0, py::arg("apex_lift") = 0.0)
+           py::arg("height_factor") = 1.0, py::arg("apex_lift") = 0.0,
+           "`kind`: Planar, Pyramid or Curved; `fit`: Best fit or Corners; `apex_lift` [mm]. "
+           "Raises InputError naming SurfaceKind or PlaneFit. FaceSampler.place refuses its "
+           "HeightFactor or ApexLift.")
       .def_property_readonly(
           "planar",
           [](const patch::PatchSurface& s) { return s.kind != patch::SurfaceKind::Curved; },
           "Whether patches are made of planes.")
-      .def("__eq__", [](const patch::PatchSurface& a, const patch::PatchSurface& b) {
-        return a.kind == b.kind && a.fit == b.fit && a.height_factor == b.height_factor &&
-               a.apex_lift == b.apex_lift;
-      });
+      .def(
+          "__eq__",
+          [](const patch::PatchSurface& a, const patch::PatchSurface& b) {
+            return a.kind == b.kind && a.fit == b.fit && a.height_factor == b.height_factor &&
+                   a.apex_lift == b.apex_lift;
+          },
+          "Whether kind, fit, factor and lift are the same. Raises nothing.");
   py::class_<patch::PatchDivision>(m, "PatchDivision", "Patches in milling order.")
-      .def("__len__", [](const patch::PatchDivision& d) { return d.cells.size(); })
+      .def(
+          "__len__", [](const patch::PatchDivision& d) { return d.cells.size(); },
+          "How many patches there are. Raises nothing.")
       .def_readonly("pattern", &patch::PatchDivision::pattern)
-      .def("outlines", &outline_list, "Corners of each patch in the texture plane [mm], (k, 2).")
+      .def("outlines", &outline_list,
+           "Corners of each patch in the texture plane [mm], (k, 2). Raises nothing.")
       .def_readonly("anchor", &patch::PatchDivision::anchor, "Place of lattice point (0, 0) [mm].")
       .def("lattice_outlines", &lattice_outline_list,
-           "Corners of each patch in lattice coordinates, (k, 2).")
+           "Corners of each patch in lattice coordinates, (k, 2). Raises nothing.")
       .def("places", &places_of, py::arg("dimples"),
-           "Texture-plane coordinates [mm] of each lattice point, (n, 2).");
+           "Texture-plane coordinates [mm] of each lattice point, (n, 2). Raises nothing.");
   m.def(
       "cover",
       [](const patch::PatchPattern& pattern, const Vec2& low, const Vec2& high) {
         return patch::cover(pattern, patch::Box2(low, high));
       },
       py::arg("pattern"), py::arg("low"), py::arg("high"),
-      "The patches that overlap the rectangle from `low` to `high` [mm].");
+      "The patches that overlap the rectangle from `low` to `high` [mm]. Raises InputError naming "
+      "Area or Spacing.");
   m.def(
       "patch_block",
       [](const patch::PatchPattern& pattern, int nx, int ny) {
         return patch::patch_block(pattern, nx, ny);
       },
       py::arg("pattern"), py::arg("patches_x"), py::arg("patches_y"),
-      "A block of patches centred on the texture plane's origin.");
+      "A block of patches centred on the texture plane's origin. Raises InputError naming PatchesX "
+      "or PatchesY.");
   m.def("drop_slivers", &patch::drop_slivers, py::arg("dimples"), py::arg("least"),
-        "Leaves out the dimples of patches that have fewer than `least`.");
+        "Leaves out the dimples of patches that have fewer than `least`. Raises InputError naming "
+        "MinimumDimples.");
 }
 
 }  // namespace
@@ -229,18 +247,23 @@ void bind_shapes(py::module_& m) {
           names.emplace_back(patch::traits(shape).name);
         return names;
       },
-      "The names of all patch shapes, in the order in which they are offered.");
+      "The names of all patch shapes, in the order in which they are offered. Raises nothing.");
   m.def(
       "row_pitch", [](const std::string& shape) { return patch::row_pitch(shape_of(shape)); },
-      py::arg("shape"), "Distance of neighbouring rows of dimples over the spacing.");
+      py::arg("shape"),
+      "Distance of neighbouring rows of dimples over the spacing. Raises InputError naming "
+      "PatchShape.");
   m.def(
       "two_sided",
       [](const std::string& shape) { return patch::traits(shape_of(shape)).two_sided; },
-      py::arg("shape"), "Whether patches have a side across that may differ from the other.");
+      py::arg("shape"),
+      "Whether patches have a side across that may differ from the other. Raises InputError naming "
+      "PatchShape.");
   m.def(
       "least_patch_side",
       [](const std::string& shape) { return patch::traits(shape_of(shape)).least.side; },
-      py::arg("shape"), "The smallest side that a patch may have.");
+      py::arg("shape"),
+      "The smallest side that a patch may have. Raises InputError naming PatchShape.");
 }
 
 }  // namespace
@@ -253,7 +276,8 @@ void bind_patch(py::module_& m) {
       .def_readonly("direction", &patch::TexturePlane::direction);
   m.def("texture_plane", &patch::texture_plane, py::arg("origin"), py::arg("direction"),
         py::arg("x_hint"), py::arg("rotation") = 0.0,
-        "A plane at right angles to `direction`, turned by `rotation` [rad].");
+        "A plane at right angles to `direction`, turned by `rotation` [rad]. Raises InputError "
+        "naming Origin, Direction or Rotation.");
   bind_shapes(m);
   bind_division(m);
   bind_dimples(m);

@@ -27,30 +27,31 @@ void bind_rows(py::module_& m) {
       py::arg("dimples"), py::arg("pattern"), py::arg("direction"), py::arg("one_way"),
       py::arg("whole_face"), py::call_guard<py::gil_scoped_release>(),
       "The dimples in rows along one of the lattice's steps, those left out last. On the whole "
-      "face the patches "
-      "become rows.");
+      "face the patches become rows. Raises InputError naming RowDirection.");
   m.def(
       "row_directions",
       [](const patch::PatchPattern& pattern) {
         return patch::neighbour_steps(patch::lattice_of(pattern.shape)).size();
       },
-      py::arg("pattern"), "How many directions rows can have on the pattern's lattice.");
+      py::arg("pattern"),
+      "How many directions rows can have on the pattern's lattice. Raises nothing.");
   m.def(
       "nearest_row_direction",
       [](const patch::PatchPattern& pattern, const Vec2& direction) {
-        require_finite("Direction", direction.x(), "along X");
-        require_finite("Direction", direction.y(), "along Y");
+        unit_along("Direction", Vec3(direction.x(), direction.y(), 0.0));  // finite, and not zero
         return patch::nearest_step(patch::lattice_of(pattern.shape), direction);
       },
       py::arg("pattern"), py::arg("direction"),
-      "Which of the lattice's steps goes nearest to a direction of the texture plane.");
+      "Which of the lattice's steps goes nearest to a direction of the texture plane. Raises "
+      "InputError naming Direction.");
   m.def(
       "flattest_row_direction",
       [](const patch::Dimples& dimples, const patch::PatchPattern& pattern) {
         return patch::flattest_step(dimples, patch::lattice_of(pattern.shape));
       },
       py::arg("dimples"), py::arg("pattern"), py::call_guard<py::gil_scoped_release>(),
-      "Which of the lattice's steps bends least over the dimples that are to be cut.");
+      "Which of the lattice's steps bends least over the dimples that are to be cut. Raises "
+      "nothing.");
 }
 
 }  // namespace patchmill

@@ -79,18 +79,22 @@ patch::LatticePlace place_function(const patch::PatchDivision& division,
 
 void bind_masks(py::module_& m) {
   py::class_<MaskFunction>(m, "Mask", "Values from 0 to 1 over the texture plane.")
-      .def("inverted", [](const MaskFunction& f) { return MaskFunction{patch::inverted(f.value)}; })
+      .def(
+          "inverted", [](const MaskFunction& f) { return MaskFunction{patch::inverted(f.value)}; },
+          "The mask with 1 less each value. Raises nothing.")
       .def(
           "at",
           [](const MaskFunction& f, const Points& places) {
             return column_of<double>(polygon_of(places), [&](const Vec2& p) { return f.value(p); });
           },
-          py::arg("places"), "Values at (n, 2) places [mm].");
+          py::arg("places"), "Values at (n, 2) places [mm]. Raises nothing.");
   m.def("image_mask", &image_of, py::arg("pixels"), py::arg("low"), py::arg("high"),
         py::arg("outside") = 0.0,
-        "Grey rows from the top, 0 to 1, laid on the rectangle from `low` to `high` [mm].");
+        "Grey rows from the top, 0 to 1, laid on the rectangle from `low` to `high` [mm]. Raises "
+        "InputError naming Image, MaskImage, MaskOutside or MaskArea.");
   m.def("curve_mask", &curves_of, py::arg("loops"),
-        "1 inside closed loops of (n, 2) points [mm], 0 outside and in loops within loops.");
+        "1 inside closed loops of (n, 2) points [mm], 0 outside and in loops within loops. Raises "
+        "InputError naming Curves.");
   const auto released = py::call_guard<py::gil_scoped_release>();
   m.def(
       "keep_where",
@@ -99,7 +103,8 @@ void bind_masks(py::module_& m) {
         patch::keep_where(dimples, place_function(division, lattice), mask.value, threshold);
       },
       py::arg("dimples"), py::arg("division"), py::arg("lattice"), py::arg("mask"),
-      py::arg("threshold") = 0.5, released, "Leaves out dimples where the mask is below it.");
+      py::arg("threshold") = 0.5, released,
+      "Leaves out dimples where the mask is below it. Raises InputError naming Threshold.");
   m.def(
       "thin_out",
       [](patch::Dimples& dimples, const patch::PatchDivision& division,
@@ -107,7 +112,7 @@ void bind_masks(py::module_& m) {
         patch::thin_out(dimples, place_function(division, lattice), mask.value);
       },
       py::arg("dimples"), py::arg("division"), py::arg("lattice"), py::arg("mask"), released,
-      "Leaves the share of dimples that the mask says.");
+      "Leaves the share of dimples that the mask says. Raises nothing.");
   m.def(
       "set_depth",
       [](patch::Dimples& dimples, const patch::PatchDivision& division,
@@ -117,7 +122,8 @@ void bind_masks(py::module_& m) {
       },
       py::arg("dimples"), py::arg("division"), py::arg("lattice"), py::arg("mask"),
       py::arg("depth_at_0"), py::arg("depth_at_1"), py::arg("least") = 0.0, released,
-      "Depth linear in the mask [mm]; dimples shallower than `least` are left out.");
+      "Depth linear in the mask [mm]; dimples shallower than `least` are left out. Raises "
+      "InputError naming Depth or MinimumDepth.");
 }
 
 std::optional<patch::SurfaceLattice> lay_lattice(const patch::PatchPattern& pattern,
@@ -164,7 +170,8 @@ void bind_lattices(py::module_& m) {
             return places;
           },
           py::arg("points"),
-          "Places in the texture plane [mm] of (n, 2) lattice coordinates; NaN beyond its end.")
+          "Places in the texture plane [mm] of (n, 2) lattice coordinates; NaN beyond its end. "
+          "Raises nothing.")
       .def(
           "counted_from",
           [](const patch::SurfaceLattice& lattice, const Vec2& flat,
@@ -173,28 +180,32 @@ void bind_lattices(py::module_& m) {
                                        pattern.spacing);
           },
           py::arg("flat"), py::arg("pattern"),
-          "The same lattice with the point next to `flat` [mm] as (0, 0).");
+          "The same lattice with the point next to `flat` [mm] as (0, 0). Raises InputError naming "
+          "Start.");
   m.def("lay_lattice", &lay_lattice, py::arg("pattern"), py::arg("sampler"), py::arg("plane"),
         py::arg("start"), py::arg("low"), py::arg("high"), py::arg("progress") = py::none(),
         "The pattern's lattice on the surface over the rectangle from `low` to `high` [mm]: a "
-        "Chebyshev net for squares, else of low distortion. None if `progress` returned False.");
+        "Chebyshev net for squares, else of low distortion. None if `progress` returned False. "
+        "Raises InputError naming Start, Area or Spacing.");
   m.def(
       "nearest_start",
       [](const Vec2& wanted, const Vec2& low, const Vec2& high, const FaceSampler& sampler) {
         return patch::nearest_start(wanted, patch::Box2(low, high), sampler_of(sampler));
       },
       py::arg("wanted"), py::arg("low"), py::arg("high"), py::arg("sampler"),
-      "The place nearest to `wanted` that can be cut [mm].");
+      "The place nearest to `wanted` that can be cut [mm]. Raises InputError naming Start or "
+      "Area.");
   m.def(
       "cover_lattice",
       [](const patch::PatchPattern& pattern, const patch::SurfaceLattice& lattice, const Vec2& low,
          const Vec2& high) { return patch::cover(pattern, lattice, patch::Box2(low, high)); },
       py::arg("pattern"), py::arg("lattice"), py::arg("low"), py::arg("high"),
       py::call_guard<py::gil_scoped_release>(),
-      "The patches with lattice points over the rectangle from `low` to `high` [mm].");
+      "The patches with lattice points over the rectangle from `low` to `high` [mm]. Raises "
+      "InputError naming Area.");
   m.def("spacing_spread", &spread_dict, py::arg("dimples"), py::arg("pattern"),
         "Distances of neighbouring dimples over the spacing: least, greatest, rms of the change, "
-        "and the least and greatest angle of the lattice [rad].");
+        "and the least and greatest angle of the lattice [rad]. Raises nothing.");
 }
 
 }  // namespace
@@ -203,12 +214,15 @@ void bind_texture(py::module_& m) {
   bind_masks(m);
   bind_lattices(m);
   m.def("sink", &patch::sink, py::arg("dimples"), py::arg("depth"),
-        "Puts the bottoms of all dimples `depth` [mm] below the surface.");
+        "Puts the bottoms of all dimples `depth` [mm] below the surface. Raises InputError naming "
+        "Depth.");
   m.def("texture_size", &size_dict, py::arg("kind"), py::arg("shape"), py::arg("ball_radius"),
         py::arg("spacing") = py::none(), py::arg("depth") = py::none(),
         py::arg("diameter") = py::none(), py::arg("area_share") = py::none(),
         py::arg("ridge_height") = py::none(), py::arg("tilt") = py::none(),
-        "All sizes of a texture from those that are given [mm, 0 to 1, rad].");
+        "All sizes of a texture from those that are given [mm, 0 to 1, rad]. Raises InputError "
+        "naming TextureKind, PatchShape, BallRadius, Spacing, Depth, DimpleDiameter, AreaShare, "
+        "RidgeHeight or Tilt.");
 }
 
 }  // namespace patchmill

@@ -78,12 +78,16 @@ void bind_tool(py::module_& m) {
                  return tool;
                }),
            py::arg("radius"), py::arg("flutes"), py::arg("corner_radius") = py::none(),
-           py::arg("taper") = 0.0)
-      .def("__eq__",
-           [](const Tool& a, const Tool& b) {
-             return a.radius == b.radius && a.flutes == b.flutes && a.corner() == b.corner() &&
-                    a.taper == b.taper;
-           })
+           py::arg("taper") = 0.0,
+           "Lengths in mm, `taper` [rad]. Raises InputError naming BallRadius, Flutes, "
+           "CornerRadius or TaperAngle.")
+      .def(
+          "__eq__",
+          [](const Tool& a, const Tool& b) {
+            return a.radius == b.radius && a.flutes == b.flutes && a.corner() == b.corner() &&
+                   a.taper == b.taper;
+          },
+          "Whether all its lengths are the same. Raises nothing.")
       .def_readonly("radius", &Tool::radius)
       .def_readonly("flutes", &Tool::flutes)
       .def_property_readonly("corner_radius", &Tool::corner,
@@ -92,7 +96,8 @@ void bind_tool(py::module_& m) {
       .def_property_readonly("is_ball", &Tool::is_ball)
       .def_property_readonly("name", [](const Tool& t) { return name(t.shape()); })
       .def("scallop_height", &scallop_height, py::arg("cross_feed"),
-           "Ridge that it leaves on a flat between passes [mm].");
+           "Ridge that it leaves on a flat between passes [mm]. Raises InputError naming "
+           "CrossFeed.");
   m.attr("BallEndMill") = m.attr("Tool");  // as it was called while there was no other
 }
 
@@ -107,15 +112,23 @@ void bind_path(py::module_& m) {
       {{"RAPID", MoveKind::Rapid}, {"LINK", MoveKind::Link}, {"CUT", MoveKind::Cut}});
   m.attr("NO_DIMPLE") = kNoDimple;
   py::class_<Spindle>(m, "Spindle", "Speed [revolutions per second], > 0, and sense, 'M3' or 'M4'.")
-      .def(py::init(&spindle_of), py::arg("speed"), py::arg("sense"))
-      .def("__eq__", [](const Spindle& a,
-                        const Spindle& b) { return a.speed == b.speed && a.sense == b.sense; })
+      .def(py::init(&spindle_of), py::arg("speed"), py::arg("sense"),
+           "Speed [revolutions per second] and sense. Raises InputError naming SpindleSpeed or "
+           "SpindleDirection.")
+      .def(
+          "__eq__",
+          [](const Spindle& a, const Spindle& b) {
+            return a.speed == b.speed && a.sense == b.sense;
+          },
+          "Whether speed and sense are the same. Raises nothing.")
       .def_readonly("speed", &Spindle::speed)
       .def_property_readonly("sign", &Spindle::sign)
       .def_property_readonly(
           "sense", [](const Spindle& s) { return s.sense == SpindleSense::M3 ? "M3" : "M4"; });
   py::class_<ToolPath>(m, "ToolPath", "An ordered list of timed moves of the tool tip.")
-      .def("__len__", [](const ToolPath& p) { return p.moves.size(); })
+      .def(
+          "__len__", [](const ToolPath& p) { return p.moves.size(); },
+          "How many moves it has. Raises nothing.")
       .def_readonly("tool", &ToolPath::tool)
       .def_readonly("spindle", &ToolPath::spindle)
       .def_property_readonly("start", [](const ToolPath& p) { return p.start.tip; })
@@ -150,12 +163,14 @@ void bind_path(py::module_& m) {
                 p.moves, [](const Move& v) { return static_cast<std::uint8_t>(v.kind); });
           },
           "The MoveKind of each move.")
-      .def("statistics", &statistics_dict, "Lengths [mm], seconds, turns and counts.");
+      .def("statistics", &statistics_dict,
+           "Lengths [mm], seconds, turns and counts. Raises nothing.");
   m.def("make_path", &make_path, py::arg("tool"), py::arg("spindle"), py::arg("start"),
         py::arg("tips"), py::arg("axes"), py::arg("kinds"), py::arg("turns"),
         "ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an "
         "upright tool, "
-        "a MoveKind for each, spindle turns or NaN. Raises InputError naming path, axes, kind or turns.");
+        "a MoveKind for each, spindle turns or NaN. Raises InputError naming path, axes, kind or "
+        "turns.");
 }
 
 }  // namespace patchmill

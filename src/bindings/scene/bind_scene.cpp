@@ -80,7 +80,8 @@ py::dict state_colours() {
 void bind_fields(py::module_& m) {
   m.def("grid_display", &grid_display_of, py::arg("points"), py::arg("values"), py::arg("low"),
         py::arg("high"),
-        "A surface of (rows, columns, 3) points [mm], coloured by (rows, columns) values.");
+        "A surface of (rows, columns, 3) points [mm], coloured by (rows, columns) values. Raises "
+        "InputError naming points, values, low or high.");
   m.def(
       "slice_display",
       [](const Rows& centres, const std::vector<double>& values, double side, int axis, double low,
@@ -91,7 +92,9 @@ void bind_fields(py::module_& m) {
             scene::slice_display(vectors_of(centres), values, side, axis, low, high)};
       },
       py::arg("centres"), py::arg("values"), py::arg("side"), py::arg("axis"), py::arg("low"),
-      py::arg("high"), "Squares of `side` [mm] at right angles to axis 0, 1 or 2.");
+      py::arg("high"),
+      "Squares of `side` [mm] at right angles to axis 0, 1 or 2. Raises InputError naming values, "
+      "side, axis, low or high.");
   m.def(
       "arrow_display",
       [](const Rows& places, const Rows& vectors, double scale, const std::vector<double>& values,
@@ -102,10 +105,13 @@ void bind_fields(py::module_& m) {
                                                 values, low, high)};
       },
       py::arg("places"), py::arg("vectors"), py::arg("scale"), py::arg("values"), py::arg("low"),
-      py::arg("high"), "Arrows of length `scale` times the (n, 3) vectors.");
+      py::arg("high"),
+      "Arrows of length `scale` times the (n, 3) vectors. Raises InputError naming vectors, scale, "
+      "values, low or high.");
   m.def(
       "scale_colour", [](double share) { return channels(scene::scale_colour(share)); },
-      py::arg("share"), "Red, green, blue (0 to 255) of the colour scale at a share of 0 to 1.");
+      py::arg("share"),
+      "Red, green, blue (0 to 255) of the colour scale at a share of 0 to 1. Raises nothing.");
 }
 
 void bind_texture_displays(py::module_& m) {
@@ -117,7 +123,7 @@ void bind_texture_displays(py::module_& m) {
         return HeldDisplay{scene::dimple_display(dimples, radius)};
       },
       py::arg("dimples"), py::arg("radius"), released,
-      "Discs of `radius` [mm] on the surface, coloured by state.");
+      "Discs of `radius` [mm] on the surface, coloured by state. Raises InputError naming radius.");
   m.def(
       "order_display",
       [](const patch::Dimples& dimples, double spacing) {
@@ -125,20 +131,24 @@ void bind_texture_displays(py::module_& m) {
         return HeldDisplay{scene::order_display(dimples, spacing)};
       },
       py::arg("dimples"), py::arg("spacing"), released,
-      "The order in which dimples are milled, with arrowheads.");
+      "The order in which dimples are milled, with arrowheads. Raises InputError naming spacing.");
   m.def("outline_display", &outline_display_of, py::arg("outlines"),
-        "Polylines, each (k, 3) [mm]; rows of NaN interrupt them.");
+        "Polylines, each (k, 3) [mm]; rows of NaN interrupt them. Raises nothing.");
   m.def("state_colours", &state_colours,
-        "Red, green, blue (0 to 255) in which dimple_display draws each state, by name.");
+        "Red, green, blue (0 to 255) in which dimple_display draws each state, by name. Raises "
+        "nothing.");
 }
 
 }  // namespace
 
 void bind_scene(py::module_& m) {
   py::class_<HeldDisplay>(m, "Display", "Something to show, in chunks; made in any thread.")
-      .def("__len__", [](const HeldDisplay& d) { return d.chunks.size(); })
+      .def(
+          "__len__", [](const HeldDisplay& d) { return d.chunks.size(); },
+          "How many chunks there are. Raises nothing.")
       .def("chunk", &chunk, py::arg("number"),
-           "A chunk as the bytes of an Open Inventor file, for coin.SoDB.readAll.");
+           "A chunk as the bytes of an Open Inventor file, for coin.SoDB.readAll. Raises "
+           "InputError naming number.");
   bind_texture_displays(m);
   const auto released = py::call_guard<py::gil_scoped_release>();
   m.def(
@@ -146,7 +156,7 @@ void bind_scene(py::module_& m) {
       [](const ToolPath& path) {
         return HeldDisplay{scene::path_display(path, 0, path.moves.size())};
       },
-      py::arg("path"), released, "The tool tip's way, coloured by kind of move.");
+      py::arg("path"), released, "The tool tip's way, coloured by kind of move. Raises nothing.");
   m.def(
       "path_axis_display",
       [](const ToolPath& path, double length, std::size_t most) {
@@ -154,7 +164,7 @@ void bind_scene(py::module_& m) {
         return HeldDisplay{scene::path_axis_display(path, length, most)};
       },
       py::arg("path"), py::arg("length"), py::arg("most") = 2000, released,
-      "Tool axes at ends of moves, at most `most` of them.");
+      "Tool axes at ends of moves, at most `most` of them. Raises InputError naming length.");
   bind_fields(m);
 }
 

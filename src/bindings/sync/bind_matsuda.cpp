@@ -127,29 +127,38 @@ py::dict phases_dict(const ToolPath& path, const patch::FreeTexture& texture,
 void bind_free_form(py::module_& m) {
   py::class_<patch::FreePatch>(m, "FreePatch", "Matsuda's free form: side, cross-feed, f_z [mm].")
       .def(py::init(&patch_of), py::arg("shape"), py::arg("side"), py::arg("cross_feed"),
-           py::arg("feed_per_tooth"))
+           py::arg("feed_per_tooth"),
+           "Lengths in mm. Raises InputError naming PatchShape, PatchSide, CrossFeed or "
+           "FeedPerTooth.")
       .def_readonly("side", &patch::FreePatch::side)
       .def_readonly("cross_feed", &patch::FreePatch::cross_feed)
       .def_readonly("feed_per_tooth", &patch::FreePatch::feed_per_tooth)
-      .def("state", [](const patch::FreePatch& p) { return patch::describe(patch::mark_array(p)); })
-      .def("drift_per_lap",
-           [](const patch::FreePatch& p) { return patch::mark_array(p).drift_per_lap; })
-      .def("size", &size_dict, py::arg("ball_radius"), "As texture_size().")
+      .def(
+          "state", [](const patch::FreePatch& p) { return patch::describe(patch::mark_array(p)); },
+          "The array that its marks make, in one sentence. Raises nothing.")
+      .def(
+          "drift_per_lap",
+          [](const patch::FreePatch& p) { return patch::mark_array(p).drift_per_lap; },
+          "By how much marks shift from lap to lap [teeth]. Raises nothing.")
+      .def("size", &size_dict, py::arg("ball_radius"),
+           "As texture_size(). Raises InputError naming BallRadius or Spacing.")
       .def("stands", &patch::stand_pattern,
-           "The lattice that patches stand on, as a PatchPattern.");
+           "The lattice that patches stand on, as a PatchPattern. Raises nothing.");
   py::class_<patch::FreeTexture>(m, "FreeTexture", "Patches in free form, each in its plane.")
-      .def("__len__", [](const patch::FreeTexture& t) { return t.frames.size(); })
+      .def(
+          "__len__", [](const patch::FreeTexture& t) { return t.frames.size(); },
+          "How many patches there are. Raises nothing.")
       .def_readonly("patch", &patch::FreeTexture::patch)
       .def_property_readonly("marks_per_patch",
                              [](const patch::FreeTexture& t) { return t.marks.size(); })
       .def(
           "outlines",
           [](const patch::FreeTexture& t) { return in_space(t, patch::free_outline(t.patch)); },
-          "Corners of each patch in space [mm], (k, 3); NaN if off the faces.");
+          "Corners of each patch in space [mm], (k, 3); NaN if off the faces. Raises nothing.");
   m.def("place_free", &place_free_texture, py::arg("patch"), py::arg("outward"), py::arg("stands"),
         py::arg("lattice"), py::arg("plane"), py::arg("sampler"), py::arg("corners_fit"),
         py::arg("progress") = py::none(),
-        "(FreeTexture, Dimples), or None if `progress` returned False.");
+        "(FreeTexture, Dimples), or None if `progress` returned False. Raises nothing.");
   m.def(
       "free_form_path",
       [](const patch::FreeTexture& texture, const patch::Dimples& dimples, const Tool& tool,
@@ -160,11 +169,13 @@ void bind_free_form(py::module_& m) {
       },
       py::arg("texture"), py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("feed"),
       py::arg("safe_height"), py::arg("clearance_height"), py::arg("decimals"),
-      py::call_guard<py::gil_scoped_release>(), "Straight on along the helix; `feed` [mm/s].");
+      py::call_guard<py::gil_scoped_release>(),
+      "Straight on along the helix; `feed` [mm/s]. Raises InputError naming Dimples, Feed, "
+      "FeedPerTooth, SafeHeight, ClearanceHeight or Decimals.");
   m.def("free_form_phases", &phases_dict, py::arg("path"), py::arg("texture"), py::arg("dimples"),
         py::arg("patch"),
         "Phase differences [teeth] of neighbouring passes of one patch: measured on the path, and "
-        "predicted.");
+        "predicted. Raises InputError naming Dimples or Patch.");
 }
 
 }  // namespace
@@ -174,15 +185,20 @@ void bind_matsuda(py::module_& m) {
   py::class_<patch::MarkWish>(m, "MarkWish", "What the user wants of Matsuda's free form.")
       .def(py::init(&wish_of), py::arg("tool"), py::arg("spindle_speed"), py::arg("shape"),
            py::arg("side"), py::arg("array") = "Square", py::arg("feed_per_tooth") = py::none(),
-           py::arg("ridge_height") = py::none(), py::arg("cross_feed") = py::none())
+           py::arg("ridge_height") = py::none(), py::arg("cross_feed") = py::none(),
+           "Lengths in mm, speed in revolutions per second. Raises InputError naming PatchShape or "
+           "MarkArray. state() and advise() refuse the rest.")
       .def(
           "state",
           [](const patch::MarkWish& w) {
             return patch::describe(patch::mark_array(patch::wished_patch(w)));
           },
-          "The array that the wish itself gives, in one sentence.");
+          "The array that the wish itself gives, in one sentence. Raises InputError naming "
+          "Lattice, SpindleSpeed, PatchSide, CrossFeed, FeedPerTooth or RidgeHeight.");
   m.def("advise", &advise_list, py::arg("wish"),
-        "Aligned patches next to the wish, the one that changes least first: a list of dicts.");
+        "Aligned patches next to the wish, the one that changes least first: a list of dicts. "
+        "Raises InputError naming Lattice, SpindleSpeed, PatchSide, CrossFeed, FeedPerTooth or "
+        "RidgeHeight.");
 }
 
 }  // namespace patchmill

@@ -9,6 +9,8 @@
 #include "patchmill/sync/postures.h"
 #include "patchmill/sync/tool_axis.h"
 
+#include <set>
+
 namespace patchmill {
 namespace {
 
@@ -62,6 +64,11 @@ sync::PhaseRule with_azimuths(sync::PhaseRule rule, const sync::Postures& postur
 PathText rotary_text(const machine::PosturePath& told, const std::string& letters,
                      const machine::MotionModel& model, int decimals, const std::string& before,
                      const std::string& after, bool as_set) {
+  const std::set<char> different(letters.begin(), letters.end());
+  if (letters.empty() || letters.size() > 2 || different.size() != letters.size() ||
+      letters.find_first_not_of("ABC") != std::string::npos)
+    throw InputError("letters", "'" + letters.substr(0, 10) + "'",
+                     "give those of the machine's rotary axes, one or two of A, B and C.");
   const auto line = [](const std::string& words) { return words.empty() ? words : words + "\n"; };
   return PathText(line(before) +
                   gcode::freecad_paced_text(told.path, model, Decimals(decimals),
@@ -91,7 +98,9 @@ void bind_postures(py::module_& m) {
         py::arg("axis") = Vec3(Vec3::UnitZ()), py::arg("lead") = 0.0, py::arg("tilt") = 0.0,
         py::arg("least_lead") = 0.0, py::arg("towards") = Vec3(Vec3::Zero()),
         py::arg("field") = py::none(), py::arg("smoothing") = 0.0, py::arg("widest") = kPi,
-        "One unit tool axis for each dimple, (n, 3); `field`: (n, 3) for mode 'Field'.");
+        "One unit tool axis for each dimple, (n, 3); `field`: (n, 3) for mode 'Field'. Raises "
+        "InputError naming ToolAxisMode, FixedAxis, Lead, Tilt, MinimumLead, LeanTowards, "
+        "PostureField, AxisSmoothing or WidestTilt. Angles in rad.");
   m.def(
       "axes_by_row",
       [](const patch::Dimples& dimples, const Points& axes, double tolerance) {
@@ -99,14 +108,16 @@ void bind_postures(py::module_& m) {
             sync::axes_by_row(dimples, points_of(axes, "axes"), Angle::radians(tolerance)));
       },
       py::arg("dimples"), py::arg("axes"), py::arg("tolerance"),
-      "Axes that stay the same along each row, as spindle-locked paths need them.");
+      "Axes that stay the same along each row, as spindle-locked paths need them. Raises "
+      "InputError naming ToolAxis, axes or RowTolerance.");
   m.def(
       "mark_tool_tip_along",
       [](patch::Dimples& dimples, const Points& axes, double least_tilt) {
         sync::mark_tool_tip(dimples, points_of(axes, "axes"), Angle::radians(least_tilt));
       },
       py::arg("dimples"), py::arg("axes"), py::arg("least_tilt"),
-      "As mark_tool_tip with an axis for each dimple.");
+      "As mark_tool_tip with an axis for each dimple. Raises InputError naming ToolAxis, axes or "
+      "MinimumTilt.");
   py::class_<sync::Postures>(m, "Postures", "How the rotary axes stand at each dimple.")
       .def_property_readonly("joints",
                              [](const sync::Postures& p) { return joints_array(p.joints); })
@@ -116,12 +127,14 @@ void bind_postures(py::module_& m) {
       });
   m.def("plan_postures", &postures_of, py::arg("machine"), py::arg("dimples"), py::arg("axes"),
         py::arg("decimals"),
-        "Postures for the dimples to be cut. Raises InputError naming ToolAxis if they cannot be.");
+        "Postures for the dimples to be cut. Raises InputError naming ToolAxis, axes or Decimals.");
   m.def("with_azimuths", &with_azimuths, py::arg("rule"), py::arg("postures"),
-        "A phase rule that counts the azimuths which the rotary axes make.");
+        "A phase rule that counts the azimuths which the rotary axes make. Raises nothing.");
   m.def("turning_seconds", &sync::turning_seconds, py::arg("machine"), py::arg("dimples"),
         py::arg("postures"), py::arg("tool"), py::arg("model"), py::arg("form"),
-        py::call_guard<py::gil_scoped_release>());
+        py::call_guard<py::gil_scoped_release>(),
+        "Seconds that the rotary axes take from each dimple to the next. Raises InputError naming "
+        "Postures.");
   m.def(
       "with_postures",
       [](const ToolPath& vertical, const sync::Postures& postures,
@@ -130,14 +143,17 @@ void bind_postures(py::module_& m) {
       },
       py::arg("vertical"), py::arg("postures"), py::arg("machine"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
-      "A planned path with its tool axes and angles; the ball centre keeps its way.");
+      "A planned path with its tool axes and angles; the ball centre keeps its way. Raises "
+      "InputError naming Decimals.");
   m.def("section_in_work", &section_in_work, py::arg("section"), py::arg("machine"),
         py::arg("form"), py::call_guard<py::gil_scoped_release>(),
-        "Tool tips in the work frame of a section that was read with its rotary words.");
+        "Tool tips in the work frame of a section that was read with its rotary words. Raises "
+        "InputError naming Section.");
   m.def("freecad_rotary_text", &rotary_text, py::arg("told"), py::arg("letters"), py::arg("model"),
         py::arg("decimals"), py::arg("before") = "", py::arg("after") = "",
         py::arg("as_set") = false, py::call_guard<py::gil_scoped_release>(),
-        "A programmed path with its rotary words as text for Path.Path(text).");
+        "A programmed path with its rotary words as text for Path.Path(text). Raises InputError "
+        "naming letters or Decimals.");
 }
 
 }  // namespace patchmill

@@ -45,7 +45,8 @@ void bind_sync(py::module_& m) {
         sync::mark_tool_tip(dimples, axis, Angle::radians(least_tilt));
       },
       py::arg("dimples"), py::arg("axis"), py::arg("least_tilt"),
-      "Leaves out dimples whose normal is nearer to the tool axis than `least_tilt` [rad].");
+      "Leaves out dimples whose normal is nearer to the tool axis than `least_tilt` [rad]. Raises "
+      "InputError naming ToolAxis or MinimumTilt.");
   m.def(
       "tilts",
       [](const patch::Dimples& dimples, const Vec3& given) {
@@ -54,11 +55,14 @@ void bind_sync(py::module_& m) {
           return sync::tilt(d.surface.normal, axis).radians();
         });
       },
-      py::arg("dimples"), py::arg("axis"), "Angle of each dimple's normal to the axis [rad].");
+      py::arg("dimples"), py::arg("axis"),
+      "Angle of each dimple's normal to the axis [rad]. Raises InputError naming axis.");
   py::class_<sync::PhaseRule>(m, "PhaseRule",
                               "Flute choice, extra turns and step per dimple [rad].")
       .def(py::init(&rule_of), py::arg("same_flute") = false, py::arg("extra_turns") = 0.0,
-           py::arg("step") = 0.0)
+           py::arg("step") = 0.0,
+           "`extra_turns` between dimples, `step` [rad] per dimple. Raises nothing: "
+           "constant_feed_path refuses ExtraTurns and PhaseStep.")
       .def_readonly("extra_turns", &sync::PhaseRule::extra_turns);
   m.def(
       "constant_feed_path",
@@ -71,13 +75,16 @@ void bind_sync(py::module_& m) {
       py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("feed"), py::arg("rule"),
       py::arg("safe_height"), py::arg("clearance_height"), py::arg("decimals"),
       py::call_guard<py::gil_scoped_release>(),
-      "The constant-feed path of Xu & Sasahara 2016; `feed` [mm/s], heights [mm].");
+      "The constant-feed path of Xu & Sasahara 2016; `feed` [mm/s], heights [mm]. Raises "
+      "InputError naming Feed, ExtraTurns, PhaseStep, SafeHeight, ClearanceHeight or Decimals.");
   m.def(
       "posted_feed",
       [](double feed, int decimals) { return sync::posted_feed(feed, Decimals(decimals)); },
-      py::arg("feed"), py::arg("decimals"), "The feed [mm/s] as it is posted in mm/min.");
+      py::arg("feed"), py::arg("decimals"),
+      "The feed [mm/s] as it is posted in mm/min. Raises InputError naming Feed or Decimals.");
   m.def("phase_errors", &errors_dict, py::arg("path"), py::arg("dimples"), py::arg("rule"),
-        "Spindle angle against contact azimuth at each dimple of the path: arrays and a summary.");
+        "Spindle angle against contact azimuth at each dimple of the path: arrays and a summary. "
+        "Raises nothing.");
 }
 
 }  // namespace patchmill

@@ -95,8 +95,9 @@ void bind_voxel_attributes(py::module_& m) {
       .def_property_readonly(
           "count", [](const VoxelMaterials& v) { return v.number.size(); }, "Voxels stored.");
   m.def("materials_of", &make_materials, py::arg("grid"), py::arg("bodies"),
-        "VoxelMaterials: STOCK_MATERIAL, 0, the stock's own, else 1 + the number of the last of `bodies`, pairs of "
-        "Solid and depth below its surface [mm], that holds the voxel's centre.");
+        "VoxelMaterials: STOCK_MATERIAL, 0, the stock's own, else 1 + the number of the last of "
+        "`bodies`, pairs of Solid and depth below its surface [mm], that holds the voxel's centre. "
+        "Raises InputError naming Materials.");
   m.def(
       "scale_feed",
       [](const dcm::FeedField& feed, const VoxelMaterials& materials,
@@ -107,17 +108,20 @@ void bind_voxel_attributes(py::module_& m) {
       },
       py::arg("feed"), py::arg("materials"), py::arg("factors"),
       py::call_guard<py::gil_scoped_release>(),
-      "The FeedField times the factor of each voxel's material.");
+      "The FeedField times the factor of each voxel's material. Raises InputError naming "
+      "Materials.");
   m.def("axes_at", &axes_at, py::arg("grid"), py::arg("posture"), py::arg("points"),
-        "Unit axes at (n, 3) points [mm], interpolated; upright in air, zero inside the part.");
+        "Unit axes at (n, 3) points [mm], interpolated; upright in air, zero inside the part. "
+        "Raises InputError naming PostureField.");
   m.def("feed_at", &feed_at, py::arg("grid"), py::arg("feed"), py::arg("points"),
         py::arg("direction"),
-        "Feed [mm/s] in a direction at (n, 3) points [mm], interpolated; NaN inside the part.");
+        "Feed [mm/s] in a direction at (n, 3) points [mm], interpolated; NaN inside the part. "
+        "Raises InputError naming FeedField or Direction.");
   m.def("kinds_at", &kinds_at, py::arg("grid"), py::arg("points"),
-        "The VoxelKind of the voxels that hold (n, 3) points [mm].");
+        "The VoxelKind of the voxels that hold (n, 3) points [mm]. Raises nothing.");
   m.def("materials_at", &materials_at, py::arg("grid"), py::arg("materials"), py::arg("points"),
         "Numbers of the materials of the voxels that hold (n, 3) points [mm]; NO_MATERIAL where "
-        "there is nothing to remove.");
+        "there is nothing to remove. Raises InputError naming Materials.");
 }
 
 }  // namespace patchmill

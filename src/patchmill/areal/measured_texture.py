@@ -87,7 +87,7 @@ def measured_texture(texture, surface, angle=None, form="quadric"):
     spacing = plan.input.spacing
     level, tilts = _level(surface)
     found = find_dimples(without_form(level, form), spacing)
-    cut = np.flatnonzero(plan.dimples.states == 0)
+    cut = np.flatnonzero(plan.dimples.states == core.DimpleState.CUT)
     pitch = core.row_pitch(plan.input.patch_shape)
     fold = SQUARE if pitch == 1.0 else HEXAGONAL
     places = plan.places()[cut]

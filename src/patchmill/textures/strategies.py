@@ -70,7 +70,7 @@ def _phase_behind(path, whole):
     comes to its first one than when `whole` comes there, each counted from where its lock begins."""
     turned = []
     for one, number in ((path, 0), (whole, -np.count_nonzero(path.dimples >= 0))):
-        turns = np.cumsum(np.where(one.kinds > 0, one.turns, 0.0))
+        turns = np.cumsum(np.where(one.kinds != core.MoveKind.RAPID, one.turns, 0.0))
         turned.append(turns[one.dimples >= 0][number])
     return 2.0 * np.pi * (turned[0] - turned[1])
 

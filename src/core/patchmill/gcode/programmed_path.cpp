@@ -35,7 +35,7 @@ double bend(const machine::Kinematics& machine, const Vec3& a, const machine::Jo
 
 machine::Kinematics with_tool(const machine::Kinematics& machine, double tool_length,
                               const ProgramForm& form, const Tool& tool) {
-  require_finite("ToolLength", tool_length, "mm");
+  require_in_range("ToolLength", tool_length, 0.0, 1e5, "mm");
   machine::Kinematics out = machine;
   out.tool_length =
       tool_length - (form.reference == ReferencePoint::BallCentre ? tool.corner() : 0.0);

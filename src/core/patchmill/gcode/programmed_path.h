@@ -22,7 +22,7 @@ struct ProgramForm {
 };
 
 /// Kinematics with the tool length that belongs to the reference point. `tool_length`: from the gauge
-/// point to the tip [mm]. Errors: InputError naming ToolLength (not finite).
+/// point to the tip [mm]. Errors: InputError naming ToolLength (0 .. 1e5 mm).
 machine::Kinematics with_tool(const machine::Kinematics& machine, double tool_length,
                               const ProgramForm& form, const Tool& tool);
 

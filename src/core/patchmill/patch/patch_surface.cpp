@@ -224,8 +224,8 @@ std::optional<Dimples> sampled(const PatchDivision& division, const TexturePlane
                                const LatticePlace& place_of, const SurfaceSampler& sampler,
                                const LatticeSampler& on_lattice, const PatchSurface& surface,
                                const Progress& progress) {
-  require_finite("HeightFactor", surface.height_factor);
-  require_finite("ApexLift", surface.apex_lift);
+  require_in_range("HeightFactor", surface.height_factor, -1e3, 1e3, "times the apex' own height");
+  require_in_range("ApexLift", surface.apex_lift, -1e3, 1e3, "mm");
   Dimples dimples = lattice_points(division);
   if (!sample_all(on_lattice, progress, dimples)) return std::nullopt;
   if (surface.kind == SurfaceKind::Curved) return dimples;

@@ -12,8 +12,10 @@ namespace patchmill::patch {
 
 TexturePlane texture_plane(const Vec3& origin, const Vec3& direction, const Vec3& x_hint,
                            double rotation) {
+  constexpr double kFarthest = 1e6;  // mm; beyond it coordinates are not known to a nanometre
   require_finite("Origin", origin, "mm");
-  require_finite("Rotation", rotation, "rad");
+  require_in_range("Origin", origin.cwiseAbs().maxCoeff(), 0.0, kFarthest, "mm");
+  require_in_range("Rotation", Angle::radians(rotation).degrees(), -1e6, 1e6, "degrees");
   const double length = direction.norm();
   if (!std::isfinite(length) || length < 1e-12)
     throw InputError("Direction",

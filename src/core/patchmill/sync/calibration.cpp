@@ -17,14 +17,19 @@ void require_period(Angle period) {
   require_in_range("PhasePeriod", period.degrees(), 1e-3, 360.0 + 1e-6, "degrees");
 }
 
-}  // namespace
-
-int calibration_side(Angle period, Angle step, double spare) {
-  require_period(period);
+// Steps of a calibration patch: an eighth of the period tells the phase by eight places at least.
+void require_step(Angle step, Angle period) {
   if (!(step.radians() > 0.0) || step > period / 8.0)
     throw InputError(
         "PhaseStep", fmt::format("{} degrees", step.degrees()),
         fmt::format("give more than 0 and at most {:.1f} degrees.", period.degrees() / 8.0));
+}
+
+}  // namespace
+
+int calibration_side(Angle period, Angle step, double spare) {
+  require_period(period);
+  require_step(step, period);
   const double needed = (1.0 + spare) * (period / step);
   return static_cast<int>(std::ceil(std::sqrt(needed)));
 }
@@ -33,7 +38,7 @@ Angle start_phase(std::int64_t best_dimple, Angle step, Angle period) {
   if (best_dimple < 0)
     throw InputError("BestDimple", std::to_string(best_dimple), "count from 0, the first dimple.");
   require_period(period);
-  require_finite("PhaseStep", step.degrees(), "degrees");
+  require_step(step, period);
   return (step * -static_cast<double>(best_dimple)).wrapped(period);
 }
 

@@ -19,7 +19,7 @@ int calibration_side(Angle period, Angle step, double spare = 0.05);
 
 /// The start phase from the best dimple, counted from 0 in milling order: x = -best step, modulo
 /// `period`, in [0, period). Errors: InputError naming BestDimple if it is negative, PhaseStep
-/// if it is not finite.
+/// if the step is not in (0, period/8].
 Angle start_phase(std::int64_t best_dimple, Angle step, Angle period);
 
 /// `path` with the spindle turned on by the missing period - x before the first dimple: a locked

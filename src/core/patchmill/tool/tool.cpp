@@ -81,6 +81,8 @@ void require_ball(const Tool& tool, const char* work) {
 
 double scallop_height(const Tool& tool, double cross_feed) {
   require_finite("CrossFeed", cross_feed, "mm");
+  if (cross_feed < 0.0)
+    throw InputError("CrossFeed", fmt::format("{:g} mm", cross_feed), "give 0 or more.");
   const double r = tool.corner(), half = std::max(0.0, 0.5 * cross_feed - (tool.radius - r));
   if (half == 0.0) return 0.0;
   return tool.height_at(std::min(half + tool.radius - r, tool.radius));
