@@ -117,7 +117,7 @@ def _travel(plan, cut):
     """Direction of the move that ends on each milled dimple, in the texture plane: (n, 2) in the order of
     `cut`; NaN where none does."""
     path = plan.path
-    ends = np.flatnonzero(path.dimples >= 0)
+    ends = np.flatnonzero(path.dimples != core.NO_DIMPLE)
     step = path.tips[ends] - np.vstack([path.start, path.tips])[ends]
     flat = np.column_stack([step @ plan.plane.x_axis, step @ plan.plane.y_axis])
     travel = np.full((len(plan.dimples), 2), np.nan)
