@@ -131,6 +131,8 @@ TEST(Calibration, SideHoldsEveryPhase) {
   EXPECT_EQ(calibration_side(Angle::degrees(360), Angle::degrees(1)), 20);
   EXPECT_THROW(calibration_side(Angle::degrees(180), Angle::degrees(0)), InputError);
   EXPECT_THROW(calibration_side(Angle::degrees(180), Angle::degrees(30)), InputError);
+  for (const double step : {-1.0, 0.0, 30.0, 1e300})  // no patch has such steps
+    EXPECT_THROW(start_phase(3, Angle::degrees(step), Angle::degrees(180)), InputError) << step;
 }
 
 // Simulated patch: dimple n is off by x + n step; the best mark is the one least off.

@@ -85,6 +85,7 @@ RC_GTEST_PROP(Tool, TheCoreMadeThickerIsTheCutter, (unsigned kind, unsigned at))
 TEST(Tool, ScallopsOfABallAndOfABullNose) {
   EXPECT_NEAR(scallop_height(Tool{3.0, 2}, 2.0), 3.0 - std::sqrt(8.0), 1e-15);
   EXPECT_EQ(scallop_height(Tool{3.0, 2}, 7.0), 3.0);
+  EXPECT_THROW(scallop_height(Tool{3.0, 2}, -1.0), InputError);
   const Tool bull = bull_nose(5.0, 1.0);
   EXPECT_EQ(scallop_height(bull, 8.0), 0.0);  // the flat bottom, 8 mm wide, covers it
   EXPECT_NEAR(scallop_height(bull, 9.6), 1.0 - 0.6, 1e-12);
