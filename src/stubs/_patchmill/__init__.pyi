@@ -99,6 +99,7 @@ from _patchmill.marks import motion_of_path as motion_of_path
 from _patchmill.marks import motion_of_samples as motion_of_samples
 from _patchmill.marks import path_on_machine as path_on_machine
 from _patchmill.marks import simulate_texture as simulate_texture
+from _patchmill.patch import DimpleState as DimpleState
 from _patchmill.patch import Dimples as Dimples
 from _patchmill.patch import Mask as Mask
 from _patchmill.patch import PatchDivision as PatchDivision
@@ -133,6 +134,8 @@ from _patchmill.patch import texture_size as texture_size
 from _patchmill.patch import thin_out as thin_out
 from _patchmill.patch import two_sided as two_sided
 from _patchmill.path import BallEndMill as BallEndMill
+from _patchmill.path import MoveKind as MoveKind
+from _patchmill.path import NO_DIMPLE as NO_DIMPLE
 from _patchmill.path import Spindle as Spindle
 from _patchmill.path import Tool as Tool
 from _patchmill.path import ToolPath as ToolPath
@@ -171,6 +174,9 @@ from _patchmill.sync import tool_axes as tool_axes
 from _patchmill.sync import turning_seconds as turning_seconds
 from _patchmill.sync import with_azimuths as with_azimuths
 from _patchmill.sync import with_postures as with_postures
+from _patchmill.voxel import NO_MATERIAL as NO_MATERIAL
+from _patchmill.voxel import STOCK_MATERIAL as STOCK_MATERIAL
+from _patchmill.voxel import VoxelKind as VoxelKind
 from _patchmill.voxel import VoxelMaterials as VoxelMaterials
 from _patchmill.voxel import axes_at as axes_at
 from _patchmill.voxel import feed_at as feed_at
@@ -190,5 +196,6 @@ class InputError(ValueError):
 class ThreadLimit:
     """While it lives, no more threads than this are used."""
     def __init__(self, threads: int) -> None:
+        """At most so many threads, 1 or more. Raises InputError naming Threads."""
         ...
 

@@ -14,16 +14,16 @@ import _patchmill.patch
 class FaceSampler:
     """Projects points of a texture plane on trimmed faces along its direction."""
     def __init__(self, breps: list[str], plane: _patchmill.patch.TexturePlane, steepest: float) -> None:
-        """Faces as BREP texts; `steepest` [rad]: greatest angle of normal and -direction."""
+        """Faces as BREP texts; `steepest` [rad]: greatest angle of normal and -direction. Raises InputError naming Base or SteepestSlope."""
         ...
     def extent(self) -> tuple[typing.Any, ...]:
-        """((x, y) least, (x, y) greatest) that the faces cover in the texture plane [mm]."""
+        """((x, y) least, (x, y) greatest) that the faces cover in the texture plane [mm]. Raises nothing."""
         ...
     def place(self, division: _patchmill.patch.PatchDivision, plane: _patchmill.patch.TexturePlane, surface: _patchmill.patch.PatchSurface, lattice: typing.Optional[_patchmill.patch.SurfaceLattice] = None, progress: object = None) -> typing.Any:
-        """Dimples of the division on the faces, projected or on a lattice laid on them, or None if `progress` returned False."""
+        """Dimples of the division on the faces, projected or on a lattice laid on them, or None if `progress` returned False. Raises InputError naming HeightFactor or ApexLift."""
         ...
     def sample(self, points: numpy.typing.ArrayLike) -> dict[str, typing.Any]:
-        """Projects (n, 2) points; a dict of arrays positions, normals, states."""
+        """Projects (n, 2) points; a dict of arrays positions, normals, states (a DimpleState each: CUT, OFF_FACE, TOO_STEEP or UNDERCUT). Raises nothing."""
         ...
 
 class LaidOnFaces:
@@ -33,7 +33,7 @@ class LaidOnFaces:
         """Of the faces, inside their trimming [mm²]."""
         ...
     def cover(self) -> _patchmill.patch.PatchDivision:
-        """The patches that have lattice points."""
+        """The patches that have lattice points. Raises nothing."""
         ...
     @property
     def crowded(self) -> int:
@@ -53,20 +53,20 @@ class LaidOnFaces:
         ...
 
 def facing(breps: list[str]) -> numpy.typing.NDArray[numpy.float64]:
-    """Unit vector to the side from which the faces look largest."""
+    """Unit vector to the side from which the faces look largest. Raises InputError naming AutoDirection or Base."""
     ...
 def keep_apart(dimples: _patchmill.patch.Dimples, least: float) -> int:
-    """Leaves out dimples nearer than `least` [mm] to one before them; returns how many."""
+    """Leaves out dimples nearer than `least` [mm] to one before them; returns how many. Raises InputError naming LeastDistance."""
     ...
 def keep_off_borders(dimples: _patchmill.patch.Dimples, breps: list[str], margin: float) -> None:
-    """Leaves out dimples nearer than `margin` [mm] to the border of the faces together."""
+    """Leaves out dimples nearer than `margin` [mm] to the border of the faces together. Raises InputError naming Base or Margin."""
     ...
 def lay_on_faces(pattern: _patchmill.patch.PatchPattern, breps: list[str], plane: _patchmill.patch.TexturePlane, sampler: FaceSampler, steepest: float, rotation: float = 0.0, start: typing.Optional[numpy.typing.ArrayLike] = None, progress: object = None) -> typing.Optional[LaidOnFaces]:
     """The pattern's lattice on the faces, turned by `rotation` [rad] against their own lines, from the point `start` [mm] or the middle of the largest part. None if `progress` returned False. Raises InputError naming Origin, Base or Spacing."""
     ...
 def nearest_distances(dimples: _patchmill.patch.Dimples) -> numpy.typing.NDArray[numpy.float64]:
-    """Distance of each cut dimple to the nearest other one, in space [mm]."""
+    """Distance of each cut dimple to the nearest other one, in space [mm]. Raises nothing."""
     ...
 def seen_best(breps: list[str], preferred: numpy.typing.ArrayLike) -> dict[str, typing.Any]:
-    """The direction along which the faces look largest, and whether they look to all sides alike, so that `preferred` or an axis was chosen: a dict of direction and even."""
+    """The direction along which the faces look largest, and whether they look to all sides alike, so that `preferred` or an axis was chosen: a dict of direction and even. Raises InputError naming Base or Direction."""
     ...
