@@ -27,10 +27,10 @@ from spoilt_values import INF, NAN, NUMBERS, fault_of, not_finite, shown, spoilt
 from taken_values import TAKEN  # noqa: E402
 
 OPERATORS = ("__init__", "__eq__", "__len__", "__str__", "__getitem__")
-# These calls go on to other functions, which refuse what this one takes.
+# These calls go on to other functions, which refuse what this one takes, or get a thing that was checked.
 GO_ON = {"PatchSurface", "PhaseRule", "PacedRule", "MotionModel", "Kinematics", "Kinematics.add_rotary",
          "ProgramForm", "CopyOptions", "MarkWish", "FaceSampler.place", "copy_mill", "constant_feed_path",
-         "paced_path"}
+         "paced_path", "MarkWish.state", "advise", "PartModel.distances"}
 # The properties of these are places in a text.
 NAME_PLACES = {"read_gcode", "program_lines", "write_program"}
 MOST_MEMORY = 8 << 30  # of addresses: FreeCAD itself takes one or two
@@ -102,9 +102,10 @@ class Outcomes(unittest.TestCase):
         try:
             function(**dict(good, **bad))
         except core.InputError as error:
-            return error.with_traceback(None), "" if error.property and error.remedy else said + " names nothing"
+            nameless = not (error.property and error.remedy)
+            return error.with_traceback(None), said + " names nothing" if nameless else ""
         except TypeError as error:
-            return error, ""
+            return error.with_traceback(None), ""
         except BaseException as error:
             return error, "%s: %s: %s" % (said, type(error).__name__, error)
         finally:

@@ -89,7 +89,7 @@ void bind_atlas(py::module_& m) {
         "The pattern's lattice on the faces, turned by `rotation` [rad] against their own lines, "
         "from "
         "the point `start` [mm] or the middle of the largest part. None if `progress` returned "
-        "False. Raises InputError naming Origin, Base or Spacing.");
+        "False. Raises InputError naming Origin, Base, Spacing, SteepestSlope or Rotation.");
   m.def("keep_apart", &patch::keep_apart, py::arg("dimples"), py::arg("least"),
         py::call_guard<py::gil_scoped_release>(),
         "Leaves out dimples nearer than `least` [mm] to one before them; returns how many. Raises "

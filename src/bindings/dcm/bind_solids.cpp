@@ -51,8 +51,8 @@ void bind_solids(py::module_& m) {
   py::class_<Solid>(m, "Solid", "A part or stock as triangles, with a tree over them. mm.")
       .def(py::init(&solid_of_arrays), py::arg("vertices"), py::arg("triangles"),
            py::arg("property") = "mesh",
-           "(n, 3) corners and (m, 3) indices; must be closed. Raises InputError naming "
-           "`property`. [mm].")
+           "(n, 3) corners [mm] and (m, 3) indices; must be closed. Raises InputError naming "
+           "`property`.")
       .def_static(
           "box", [](const Vec3& lo, const Vec3& hi) { return Solid(mesh::box_mesh(lo, hi)); },
           py::arg("low"), py::arg("high"),
@@ -83,8 +83,8 @@ void bind_solids(py::module_& m) {
            "Raises nothing.");
   m.def("solid_of_brep", &solid_of_brep, py::arg("brep"), py::arg("deflection"),
         py::arg("property"), py::arg("closed") = true, py::call_guard<py::gil_scoped_release>(),
-        "BREP text as a Solid. Raises InputError naming `property`, Deflection or property. "
-        "`deflection` [mm].");
+        "BREP text as a Solid; `deflection` [mm]. Raises InputError naming `property`, Deflection "
+        "or property.");
 }
 
 }  // namespace patchmill

@@ -62,7 +62,7 @@ def keep_off_borders(dimples: _patchmill.patch.Dimples, breps: list[str], margin
     """Leaves out dimples nearer than `margin` [mm] to the border of the faces together. Raises InputError naming Base or Margin."""
     ...
 def lay_on_faces(pattern: _patchmill.patch.PatchPattern, breps: list[str], plane: _patchmill.patch.TexturePlane, sampler: FaceSampler, steepest: float, rotation: float = 0.0, start: typing.Optional[numpy.typing.ArrayLike] = None, progress: object = None) -> typing.Optional[LaidOnFaces]:
-    """The pattern's lattice on the faces, turned by `rotation` [rad] against their own lines, from the point `start` [mm] or the middle of the largest part. None if `progress` returned False. Raises InputError naming Origin, Base or Spacing."""
+    """The pattern's lattice on the faces, turned by `rotation` [rad] against their own lines, from the point `start` [mm] or the middle of the largest part. None if `progress` returned False. Raises InputError naming Origin, Base, Spacing, SteepestSlope or Rotation."""
     ...
 def nearest_distances(dimples: _patchmill.patch.Dimples) -> numpy.typing.NDArray[numpy.float64]:
     """Distance of each cut dimple to the nearest other one, in space [mm]. Raises nothing."""

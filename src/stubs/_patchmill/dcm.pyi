@@ -73,7 +73,7 @@ class PostureField:
 class Solid:
     """A part or stock as triangles, with a tree over them. mm."""
     def __init__(self, vertices: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike, property: str = 'mesh') -> None:
-        """(n, 3) corners and (m, 3) indices; must be closed. Raises InputError naming `property`. [mm]."""
+        """(n, 3) corners [mm] and (m, 3) indices; must be closed. Raises InputError naming `property`."""
         ...
     @property
     def bounds(self) -> tuple[typing.Any, ...]:
@@ -161,7 +161,7 @@ def scallop_height(radius: float, cross_feed: float) -> float:
     """Ridge on a flat between passes [mm]; the radius where the ball does not reach between them. Raises InputError naming BallRadius or CrossFeed."""
     ...
 def solid_of_brep(brep: str, deflection: float, property: str, closed: bool = True) -> Solid:
-    """BREP text as a Solid. Raises InputError naming `property`, Deflection or property. `deflection` [mm]."""
+    """BREP text as a Solid; `deflection` [mm]. Raises InputError naming `property`, Deflection or property."""
     ...
 def steady_feed(grid: VoxelGrid, low: float, high: float, exterior: str = 'Held') -> FeedField:
     """FeedField between V_Lo and V_Hi [mm/s]. Raises InputError naming lower feed, upper feed or Exterior."""
