@@ -10,7 +10,7 @@ namespace patchmill {
 
 void bind_rows(py::module_& m) {
   m.def("milled_patches", &patch::milled_patches, py::arg("dimples"),
-        "Numbers of the patches that have dimples to be cut, in milling order.");
+        "Numbers of the patches that have dimples to be cut, in milling order. Raises nothing.");
   m.def("from_patch", &patch::from_patch, py::arg("dimples"), py::arg("first"),
         py::call_guard<py::gil_scoped_release>(),
         "The dimples from patch `first` (1: all) in milling order on. Raises InputError naming "

@@ -69,9 +69,9 @@ def _phase_behind(path, whole):
     """By how much [rad] the spindle has turned more when `path`, whose dimples are the last ones of `whole`,
     comes to its first one than when `whole` comes there, each counted from where its lock begins."""
     turned = []
-    for one, number in ((path, 0), (whole, -np.count_nonzero(path.dimples >= 0))):
+    for one, number in ((path, 0), (whole, -np.count_nonzero(path.dimples != core.NO_DIMPLE))):
         turns = np.cumsum(np.where(one.kinds != core.MoveKind.RAPID, one.turns, 0.0))
-        turned.append(turns[one.dimples >= 0][number])
+        turned.append(turns[one.dimples != core.NO_DIMPLE][number])
     return 2.0 * np.pi * (turned[0] - turned[1])
 
 

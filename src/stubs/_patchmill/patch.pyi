@@ -179,7 +179,7 @@ def least_patch_side(shape: str) -> int:
     """The smallest side that a patch may have. Raises InputError naming PatchShape."""
     ...
 def milled_patches(dimples: Dimples) -> list[int]:
-    """Numbers of the patches that have dimples to be cut, in milling order."""
+    """Numbers of the patches that have dimples to be cut, in milling order. Raises nothing."""
     ...
 def nearest_row_direction(pattern: PatchPattern, direction: numpy.typing.ArrayLike) -> int:
     """Which of the lattice's steps goes nearest to a direction of the texture plane. Raises InputError naming Direction."""
