@@ -68,10 +68,11 @@ def drawn(count=20, seed=2016):
 
 @dataclasses.dataclass
 class Finding:
-    """Phase errors [degrees], rms and largest, of the log and as predicted; how far the path is from a dimple
-    [mm]."""
+    """Phase errors [degrees], rms and largest, of the log and as predicted, and how far the two are apart at
+    the dimples, rms; how far the path is from a dimple [mm]."""
     log: tuple
     predicted: tuple
+    apart: float
     miss: float
     said_to_hold: bool
     turns: float
@@ -99,7 +100,8 @@ def finding(case, logs=None):
     tooth = 60.0 / float(case.options.get('rpm', 1000)) / case.flutes
     holds = (predicted[0] <= RMS and predicted[1] <= LARGEST
              and tooth >= TOOTH * case.machine().period * (1 - 1e-9))
-    return Finding((report.rms, report.largest), predicted, float(report.miss.max()), holds,
+    apart = float(numpy.sqrt(numpy.mean((report.error - error) ** 2)))
+    return Finding((report.rms, report.largest), predicted, apart, float(report.miss.max()), holds,
                    report.turns_per_dimple, float(report.time[-1] - report.time[0]))
 
 
@@ -109,9 +111,9 @@ def row(name, case, found):
         name, case.radius, case.flutes, option('spacing', 0.5), 'rows' if option('rows') else 'helix',
         case.acceleration, case.velocity, option('rpm', 1000))
     if found is None:
-        return what + 'no plan | | | | |'
-    return what + '%.3f | %.2f / %.1f | %.2f / %.1f | %.2f | %s | %.1f |' % (
-        found.turns, *found.log, *found.predicted, 1e3 * found.miss,
+        return what + 'no plan | | | | | |'
+    return what + '%.3f | %.2f / %.1f | %.2f / %.1f | %.2f | %.2f | %s | %.1f |' % (
+        found.turns, *found.log, *found.predicted, found.apart, 1e3 * found.miss,
         ('yes' if found.said_to_hold else 'no') + (', wrongly' if found.wrongly() else ''), found.seconds)
 
 
@@ -119,8 +121,9 @@ def main():
     words = sys.argv[1:]
     cases = {'random': drawn, 'faces': faces}.get(words[0] if words else '', named)
     logs = next((word for word in words if word not in ('random', 'faces')), None)
-    print('| case | mm/s² | mm/s | S | turns per dimple | log | predicted | beside, µm | said to hold | s |')
-    print('| --- ' * 10 + '|')
+    print('| case | mm/s² | mm/s | S | turns per dimple | log | predicted | apart |'
+          ' beside, µm | said to hold | s |')
+    print('| --- ' * 11 + '|')
     outside, wrong = [], []
     for name, case in cases():
         try:

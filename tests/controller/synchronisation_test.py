@@ -86,6 +86,7 @@ class Prediction(unittest.TestCase):
         self.assertTrue(found.within(), found)
         self.assertFalse(found.wrongly(), found)
         self.assertLessEqual(found.miss, prediction.MISS)
+        self.assertLessEqual(found.apart, 0.1)  # at each dimple, not only on the whole
 
     def test_a_patch_and_two_of_another_tool(self):
         for case in (Case('locked', 2000), Case('locked', 1000, 150, 2, options=prediction.WIDE),
@@ -94,7 +95,7 @@ class Prediction(unittest.TestCase):
                 self.check(case)
 
     def test_a_finding_that_is_off_is_told(self):
-        near = prediction.Finding((0.2, 1.0), (0.25, 1.4), 1e-4, True, 0.5, 1.0)
+        near = prediction.Finding((0.2, 1.0), (0.25, 1.4), 0.05, 1e-4, True, 0.5, 1.0)
         self.assertTrue(near.within())
         self.assertFalse(near.wrongly())
         self.assertFalse(dataclasses.replace(near, predicted=(0.12, 1.0)).within())

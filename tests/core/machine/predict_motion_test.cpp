@@ -131,6 +131,24 @@ RC_GTEST_PROP(Predict, ALockTakesItsTurnsAtAnySpindleSpeed, (unsigned s, unsigne
   for (const double turns : late) RC_ASSERT(std::abs(turns - mean) < chatter);
 }
 
+// A lock is counted from where the axis has come to speed v = K S: getting there under a from the index took v / a and
+// half of the way that had been asked for, so all comes S v / 2 a turns later, and two periods: of encoder, planner and axes.
+TEST(Predict, ALockIsLaterByHalfOfItsWayToSpeed) {
+  for (const double period : {1e-3, 2.5e-4, 6.25e-5}) {
+    for (const double pitch : {0.5, 1.1}) {
+      ToolPath path = staircase({20.0}, pitch, Pace::SpindleLocked);
+      Move on = path.moves.back();
+      on.end.tip += 20.0 * Vec3::UnitX();
+      path.moves.push_back(on);
+      const double rate = path.spindle.speed;
+      const double turns = predict(path, machine(period)).ends[0].turns;
+      const double late = 20.0 / pitch + rate * (pitch * rate) / (2.0 * 2000.0);
+      const double part = std::fmod(turns - late + 0.5, 1.0) - 0.5;
+      EXPECT_NEAR(part, 2.0 * rate * period, 0.5 * rate * period) << period << " " << pitch;
+    }
+  }
+}
+
 TEST(Predict, APathOfYearsIsUnknown) {
   ToolPath path = staircase({2.0, 2.0}, 0.5, Pace::Feed);
   path.moves.back().end.tip.z() = 1e300;

@@ -89,11 +89,9 @@ Corner chosen_arc(const CornerSide& before, const CornerSide& after, double angl
   const double seconds = std::min(std::sqrt(2.0 * half * corner.trim), goal) / half;
   const double parabola = std::min(seconds * goal / angle, corner.trim / half_tangent);
   const double radius = std::max(goal * goal / (kNormalShare * acceleration), parabola);
-  const double across = goal * goal / radius / acceleration;
   corner.trim = radius * half_tangent;
   corner.arc = radius * angle;
   corner.speed = goal;
-  corner.along = std::sqrt(1.0 - across * across) * acceleration;
   return corner;
 }
 

@@ -12,7 +12,8 @@
 namespace patchmill::machine {
 namespace {
 
-constexpr double kArrived = 1e-12;  // mm
+constexpr double kArrived = 1e-12;      // mm
+constexpr double kLeastPeriods = 1.02;  // that a piece takes, so that none is passed in a period
 constexpr double kNoMatter =
     2e-3;  // turns that a swallowed straight may take more or less: under a degree
 
@@ -65,7 +66,7 @@ PathPieces path_pieces(const ToolPath& path, const MotionModel& model) {
     line.acceleration = acceleration_beside(before, corner[i], acceleration_along(model, along));
     line.limit = velocity_along(model, along);
     line.feed = feed_of(move, i, length, line.limit, path.spindle);
-    line.limit = std::min(line.limit, line.length / model.period);
+    line.limit = std::min(line.limit, line.length / (kLeastPeriods * model.period));
     line.pitch = pitch[i];
     line.stop = corner[i].stop;
     const bool whole = !arc || !corner[i].swallows;
@@ -78,14 +79,16 @@ PathPieces path_pieces(const ToolPath& path, const MotionModel& model) {
     PathPiece bend = line;
     bend.length = corner[i].arc;
     bend.acceleration = corner[i].along;
-    bend.limit = std::min(velocity_along(model, along), corner[i].speed);
+    bend.limit = std::min({velocity_along(model, along), corner[i].speed,
+                           bend.length / (kLeastPeriods * model.period)});
     bend.pitch = i + 1 < pitch.size() ? pitch[i + 1] : pitch[i];
     bend.mark = 0.5 * bend.length;
     if (!whole) {
       bend.length += line.length;
       bend.mark += line.length;
-      bend.limit = std::min({velocity_along(model, along), corner[i].planned,
-                             bend.length / model.period});  // the straight may have no length
+      bend.limit = std::min(
+          {velocity_along(model, along), corner[i].planned,
+           bend.length / (kLeastPeriods * model.period)});  // the straight may have no length
       if (line.pitch > 0.0 && bend.pitch > 0.0)
         out.swallowed += std::abs(line.length / line.pitch - line.length / bend.pitch) > kNoMatter;
     }

@@ -36,14 +36,16 @@ class Lock {
   double turns(double time) const { return rate_ * time; }
   bool engaged() const { return engaged_; }
   void release() { engaged_ = false; }
-  /// Waits for the index; the first period that has seen the spindle beyond it.
+  /// Waits for the index, which nobody knows to a part of a period: it is taken to pass in the middle of one. The
+  /// encoder sees that at the period's end, the planner one later.
   double wait_for_index(double time) {
     const double index = std::ceil(turns(time) + 1e-9) / rate_;
+    const double period_of_it = std::floor(index / period_ + kSame);
     engaged_ = matching_ = true;
-    zero_ = turns(index);
+    zero_ = turns((period_of_it + 0.5) * period_);
     periods_ = 0;
     offset_ = 0.0;
-    return (std::floor(index / period_ + kSame) + 1.0) * period_;
+    return (period_of_it + 2.0) * period_;
   }
   double target(double time, const PathPiece& piece, const Runner& run) {
     const double now = turns(time) - zero_;
@@ -132,7 +134,8 @@ class Planner {
   void begin(Runner& run, std::size_t i) {
     run = Runner{};
     run.cycle = period_;
-    run.target = pieces_[i].feed > 0.0 ? pieces_[i].feed : pieces_[i].limit;
+    // a locked piece has no speed before it or the one before it is under way
+    run.target = pieces_[i].feed;
   }
   double wanted(const PathPiece& p, const Runner& run) const {
     return std::min(run.target, p.limit);
