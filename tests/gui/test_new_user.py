@@ -12,7 +12,9 @@ import _patchmill as core
 import driver
 import FreeCAD
 import FreeCADGui
+import hands
 from patchmill_gui.forms import resources
+from patchmill_gui.forms.post_dialog import PostDialog
 from PySide import QtGui
 
 STEP = resources.path("recipes", "xu2016", "block.step")
@@ -39,8 +41,7 @@ class NewUser(unittest.TestCase):
         self.choose_post(document.getObject("Job"), "patchmill_linuxcnc")
         with tempfile.TemporaryDirectory() as folder:
             program = os.path.join(folder, "block.ngc")
-            driver.answer_file_dialog(program)
-            FreeCADGui.runCommand("PatchMill_Post")
+            self.post(program)
             self.assertTrue(os.path.exists(program))
             self.report(folder)
             with open(program, encoding="utf-8") as file:
@@ -64,6 +65,17 @@ class NewUser(unittest.TestCase):
         self.assertTrue(driver.wait(self.pressed_ok))
         self.assertTrue(driver.wait(lambda: not driver.panel_open()))
         self.assertEqual(job.PostProcessor, name)
+
+    def post(self, program):
+        """In the window of the Post command."""
+        FreeCADGui.runCommand("PatchMill_Post")
+        (window,) = FreeCADGui.getMainWindow().findChildren(PostDialog)
+        self.assertEqual(window.post.currentText(), "patchmill_linuxcnc")
+        hands.enter(window.file, program, None)
+        hands.click(window.ok)
+        self.assertTrue(driver.wait(lambda: window.message.text()))
+        self.assertIn("holds the plan", window.message.text())
+        window.reject()
 
     @staticmethod
     def pressed_ok():

@@ -14,8 +14,8 @@ from patchmill.operations import quick_setup
 from PySide import QtGui
 
 from patchmill_gui.app import tool_paths
-from patchmill_gui.app.command_base import Command, MakingCommand, PanelCommand, say, selected_faces
-from patchmill_gui.forms.widgets import busy_cursor, translate
+from patchmill_gui.app.command_base import Command, MakingCommand, PanelCommand, selected_faces
+from patchmill_gui.forms.widgets import translate
 
 
 class TextureCommand(MakingCommand):
@@ -177,26 +177,12 @@ class Post(Command):
         return bool(FreeCAD.ActiveDocument and host.jobs())
 
     def run(self):
-        import patchmill
+        from patchmill_gui.forms import post_dialog
 
         jobs = host.jobs()
         job = jobs[0] if len(jobs) == 1 else host.PathUtils.UserInput.chooseJob(jobs)
-        if job is None:
-            return
-        name, _ = QtGui.QFileDialog.getSaveFileName(
-            FreeCADGui.getMainWindow(), translate("Program"), job.Label + ".ngc", "*.ngc *.nc *.h *.mpf"
-        )
-        if name:
-            with busy_cursor():  # FreeCAD's post-processors work in the GUI thread
-                posted = patchmill.post(job, name)
-            say(_what_was_written(name, posted))
-
-
-def _what_was_written(name, posted):
-    unread = ["%s: %s" % (one.operation.Label, one.unknown) for one in posted if getattr(one, "unknown", "")]
-    if unread:
-        return translate("{} was written. Not compared with the path: {}.").format(name, "; ".join(unread))
-    return translate("{} was written, read back and holds the plan.").format(name)
+        if job is not None:
+            post_dialog.show(job)
 
 
 class Machines(Command):

@@ -10,6 +10,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
+from patchmill.freecad import preferences
 from patchmill.operations.texture_operation import prepare
 from patchmill.textures.plan import place_texture
 from PySide import QtCore, QtGui
@@ -251,6 +252,7 @@ class TexturePanel(OperationPanel):
 
     def _finish(self):
         self.stop()
+        preferences.remember_machine(self.obj.Machine)
         self.close_with(self.ready)
 
     def reject(self, resetEdit=True):

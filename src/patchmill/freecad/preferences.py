@@ -5,6 +5,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import os
 from dataclasses import dataclass
 
 import FreeCAD
@@ -50,6 +51,23 @@ def operation_defaults():
 def post():
     """FreeCAD post-processor of new jobs."""
     return _group().GetString("Post", "linuxcnc")
+
+
+def program_folder():
+    """Where the last program went; at first the user's home."""
+    return _group().GetString("ProgramFolder", os.path.expanduser("~"))
+
+
+def remember(**values):
+    """Keeps texts for the next time: ProgramFolder, Machine."""
+    for name, value in values.items():
+        _group().SetString(name, value)
+
+
+def remember_machine(key):
+    """The first machine that is chosen for an operation is that of all to come."""
+    if key and not operation_defaults()["Machine"]:
+        remember(Machine=key)
 
 
 def threads():

@@ -1,0 +1,73 @@
+"""How a job is best posted: the post-processor that writes for its machine's control, with the decimals
+that its textures are planned for, and where the program goes.
+
+    found = proposal.of(job)          # nothing is changed
+    patchmill.post(job, found.filename, found.post, found.arguments)
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import os
+import re
+from dataclasses import dataclass, field
+
+import FreeCAD
+
+from patchmill.freecad import host, preferences
+from patchmill.freecad.kinds import TEXTURE, kind_of
+from patchmill.operations.base import planned
+from patchmill.posting import control_match, own_dialect
+from patchmill.textures import strategies
+
+FILE_ENDINGS = {"linuxcnc": "ngc", "grblhal": "nc", "fanuc": "nc", "siemens": "mpf", "heidenhain": "h"}
+PACED = (strategies.LOCKED, strategies.FEED)  # their K and inverse times are lost by FreeCAD's own posts
+PRECISION = re.compile(r"\s*--precision[= ]\S+")
+
+
+@dataclass
+class Proposal:
+    """`plans`: the job's PlannedTextures."""
+
+    post: str
+    arguments: str
+    filename: str
+    plans: list = field(default_factory=list)
+
+    @property
+    def machine(self):
+        """The machines.Machine of the textures, or None."""
+        return next((plan.machine for plan in self.plans if plan.machine is not None), None)
+
+
+def of(job):
+    """Proposal for a job, with its operations planned. Raises InputError where one cannot be."""
+    textures = [op for op in job.Operations.Group if host.is_active(op) and kind_of(op) == TEXTURE]
+    plans = [planned(op) for op in textures]
+    post = _post(job, plans)
+    return Proposal(post, arguments_for(job, plans), filename_for(job, post), plans)
+
+
+def _post(job, plans):
+    named = [p.machine.controller["dialect"] for p in plans if p.machine is not None]
+    named = [dialect for dialect in named if dialect != control_match.ANY]
+    if named:
+        return "patchmill_" + named[0]
+    if any(plan.input.strategy in PACED for plan in plans) and own_dialect(job.PostProcessor) is None:
+        return "patchmill_linuxcnc"
+    return job.PostProcessor or "patchmill_linuxcnc"
+
+
+def arguments_for(job, plans):
+    """The job's arguments, with the decimals of its plans."""
+    said = job.PostProcessorArgs
+    if not plans:
+        return said
+    return ("%s --precision=%d" % (PRECISION.sub("", said), plans[0].input.decimals)).strip()
+
+
+def filename_for(job, post):
+    """Beside the document, else in the folder of the last program, else at home."""
+    own = own_dialect(post)
+    folder = os.path.dirname(job.Document.FileName) or preferences.program_folder()
+    folder = folder if os.path.isdir(folder) else FreeCAD.getHomePath()
+    return os.path.join(folder, "%s.%s" % (job.Label, FILE_ENDINGS.get(own.dialect if own else "", "ngc")))
