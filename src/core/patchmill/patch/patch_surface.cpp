@@ -19,11 +19,6 @@ constexpr std::size_t kBatch = 1 << 16;
 constexpr double kStrip = 0.1;          // width over length, under which points make no plane
 constexpr double kLeastSlope = 0.0175;  // sin 1°: facets nearer to the direction are no facets
 
-void require_finite(const char* property, double value) {
-  if (!std::isfinite(value))
-    throw InputError(property, fmt::format("{}", value), "give a finite number.");
-}
-
 bool stands_along(const Vec3& normal, const Vec3& direction) {
   return !(-normal.dot(direction) > kLeastSlope);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/patch/texture_plane.h"
 
+#include "patchmill/geometry/angle.h"
 #include "patchmill/geometry/require.h"
 
 #include <cmath>
