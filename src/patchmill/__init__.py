@@ -51,6 +51,7 @@ _LAZY = {
     "measured_texture": ("patchmill.areal.measured_texture", "measured_texture"),
     "areal_parameters": ("patchmill.areal.parameters", "areal_parameters"),
     "write_report": ("patchmill.reports.report", "write_report"),
+    "report": ("patchmill.macros.outcome", "report"),
 }
 
 

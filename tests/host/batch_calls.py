@@ -16,7 +16,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 MODULE = os.path.join(os.environ.get("PATCHMILL_BUILD", os.path.join(ROOT, "build")), "Mod", "PatchMill")
 sys.path.insert(0, MODULE)
 
-from patchmill.batch import command  # noqa: E402
+from patchmill.__main__ import main  # noqa: E402
 
 STEP = os.path.join(ROOT, "Resources", "recipes", "xu2016", "block.step")
 RECIPE = {
@@ -42,7 +42,7 @@ def call(*arguments):
     said = io.StringIO()
     with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
         try:
-            status = command.main(list(arguments))
+            status = main(list(arguments))
         except SystemExit as ended:
             status = ended.code
     return status, said.getvalue()

@@ -4,13 +4,20 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import os
+import re
+import shutil
+import struct
 import sys
 import tempfile
 import unittest
+import zipfile
 
 import FreeCAD
+import Import
 import Part
 import patchmill
+from patchmill.freecad import host
+from patchmill.macros import jobs
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from parts import WithDocuments  # noqa: E402
@@ -57,6 +64,12 @@ class Faces(unittest.TestCase):
         (name,) = patchmill.faces(block, "largest free-form")
         self.assertIn(type(block.getElement(name).Surface).__name__, ("BSplineSurface", "BezierSurface"))
 
+    def test_a_shape_has_no_colours_and_no_labels(self):
+        for choice in ({"colour": "#ff0000"}, {"label": "Lid"}):
+            with self.assertRaises(patchmill.InputError) as caught:
+                patchmill.faces(self.box, choice)
+            self.assertIn("give the object", str(caught.exception))
+
     def test_refused_by_name(self):
         for choice in (
             "Face7", "biggest", "largest free-form", [], ["Face0"], [1], None, 3, {}, {"normal": [0, 0, 0]},
@@ -66,6 +79,94 @@ class Faces(unittest.TestCase):
             with self.assertRaises(patchmill.InputError) as caught:
                 patchmill.faces(self.box, choice)
             self.assertEqual(caught.exception.property, "Faces", choice)
+
+
+class ColoursAndLabels(WithDocuments):
+    """On a STEP file of FreeCAD's with one colour for each of 90 faces, on two named boxes, and on a document
+    with colours."""
+
+    STEP = os.path.join(FreeCAD.getHomePath(), "Mod", "Idf", "Idflibs", "0603_SMD.stp")
+
+    def setUp(self):
+        super().setUp()
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def test_colours_of_a_step_file(self):
+        part = jobs.read_part(self.STEP)
+        orange = patchmill.faces(part, {"colour": "#e87108"})
+        others = patchmill.faces(part, {"colour": "#ffffff"})
+        self.assertEqual(len(set(orange + others)), len(orange) + len(others))
+        with open(self.STEP, encoding="latin-1") as file:
+            text = file.read()
+        styled = set(re.findall(r"COLOUR_RGB\s*\(\s*'[^']*'\s*,\s*0\.909\d*,\s*0\.443", text))
+        self.assertTrue(styled)  # the file itself says so
+        job = patchmill.job(self.STEP)
+        self.assertEqual(patchmill.faces(job.Model.Group[0], {"colour": "#E87108"}), orange)
+        with self.assertRaises(patchmill.InputError) as caught:
+            patchmill.faces(part, {"colour": "#123456"})
+        self.assertIn("#e87108", str(caught.exception))
+
+    def test_labels_of_a_step_file(self):
+        document = FreeCAD.newDocument("two")
+        boxes = [document.addObject("Part::Box", name) for name in ("Base", "Lid")]
+        boxes[1].Placement.Base = V(0, 0, 20)
+        document.recompute()
+        filename = os.path.join(self.folder, "two.step")
+        Import.export(boxes, filename)
+        part = jobs.read_part(filename)
+        self.assertEqual(len(part.Shape.Faces), 12)
+        for label, low in (("Base", 0.0), ("Lid", 20.0)):
+            names = patchmill.faces(part, {"label": label})
+            self.assertEqual(len(names), 6)
+            heights = {round(part.Shape.getElement(n).CenterOfMass.z, 6) for n in names}
+            self.assertEqual(heights, {low, low + 5.0, low + 10.0})
+        with self.assertRaises(patchmill.InputError) as caught:
+            patchmill.faces(part, {"label": "Roof"})
+        self.assertIn("Base", str(caught.exception))
+
+    def test_a_label_in_a_document(self):
+        document = FreeCAD.newDocument("labelled")
+        box = document.addObject("Part::Box", "Box")
+        document.recompute()
+        face = document.addObject("Part::Feature", "Area")
+        face.Label, face.Shape = "Texture here", box.Shape.Faces[3]
+        job = patchmill.job(box)
+        self.assertEqual(patchmill.faces(job.Model.Group[0], {"label": "Texture here"}), ["Face4"])
+
+    def saved(self, colours):
+        """A document as FreeCAD's window saves one: with the colours of the box's faces."""
+        document = FreeCAD.newDocument("saved")
+        document.addObject("Part::Box", "Box")
+        document.recompute()
+        filename = os.path.join(self.folder, "saved.FCStd")
+        document.saveAs(filename)
+        FreeCAD.closeDocument(document.Name)
+        words = struct.pack("<I%dI" % len(colours), len(colours), *colours)
+        with zipfile.ZipFile(filename, "a") as archive:
+            archive.writestr(
+                "GuiDocument.xml",
+                "<Document><ViewProviderData><ViewProvider name='Box'><Properties>"
+                "<Property name='DiffuseColor' type='App::PropertyColorList'><ColorList file='DiffuseColor'/>"
+                "</Property></Properties></ViewProvider></ViewProviderData></Document>",
+            )
+            archive.writestr("DiffuseColor", words)
+        return jobs.read_part(filename)
+
+    def test_colours_that_a_window_saved(self):
+        if FreeCAD.GuiUp:
+            return
+        part = self.saved([0xFF000000, 0x00FF0000, 0x0000FF00, 0xFF000000, 0x00FF0000, 0x00FF0000])
+        self.assertEqual(patchmill.faces(part, {"colour": "#ff0000"}), ["Face1", "Face4"])
+        self.assertEqual(patchmill.faces(part, {"colour": "#0000ff"}), ["Face3"])
+
+    def test_colours_in_a_document_of_freecad_itself(self):
+        if host.VERSION >= (1, 0):
+            return
+        name = os.path.join(FreeCAD.getHomePath(), "Mod", "Path", "Tools", "Shape", "ballend.fcstd")
+        document = FreeCAD.openDocument(name)
+        body = next(o for o in document.Objects if getattr(o, "Shape", None) and o.Shape.Faces)
+        self.assertEqual(len(patchmill.faces(body, {"colour": "#cccccc"})), len(body.Shape.Faces))
 
 
 class Jobs(WithDocuments):
@@ -79,6 +180,36 @@ class Jobs(WithDocuments):
         with tempfile.TemporaryDirectory() as folder:
             posted = patchmill.post(job, os.path.join(folder, "x.ngc"))
         self.assertEqual(posted[0].path.statistics()["dimples"], 64)
+
+    def test_a_program_is_checked_and_reported(self):
+        job = patchmill.job(STEP)
+        op = patchmill.texture(job, "largest free-form", PatchSide=4, PatchesX=2, PatchesY=2, Rotation=10)
+        patchmill.recompute(op)
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "x.ngc")
+            posted = patchmill.post(job, program)
+            again = patchmill.read_back(job, program)
+            self.assertEqual([o.operation for o in again], [o.operation for o in posted])
+            self.assertEqual(again[0].errors["largest"], posted[0].errors["largest"])
+            names = patchmill.report(again, program, os.path.join(folder, "said"))
+            self.assertIn("report.html", [os.path.basename(n) for n in names])
+            self.assertTrue(all(os.path.getsize(n) for n in names))
+            self.changed_is_refused(job, program)
+
+    def changed_is_refused(self, job, program):
+        """One coordinate in another decimal place, and a file that is none."""
+        with open(program) as file:
+            lines = file.read().split("\n")
+        number = next(k for k, line in enumerate(lines) if re.match(r"G1 .*X", line) and k > len(lines) // 2)
+        x = re.search(r"X(-?[\d.]+)", lines[number])
+        lines[number] = lines[number].replace(x.group(0), "X%.3f" % (float(x.group(1)) + 0.05))
+        with open(program, "w") as file:
+            file.write("\n".join(lines))
+        with self.assertRaises(patchmill.InputError):
+            patchmill.read_back(job, program)
+        with self.assertRaises(patchmill.InputError) as caught:
+            patchmill.read_back(job, program + ".none")
+        self.assertEqual(caught.exception.property, "Program")
 
     def test_the_machine_goes_into_its_textures(self):
         job = patchmill.job(STEP, machine="linuxcnc-mill", offset="G55")

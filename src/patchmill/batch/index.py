@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import base64
+import glob
 import html
 import json
 import os
@@ -114,9 +115,11 @@ def _facts(part: Dict[str, Any]) -> Iterator[Tuple[str, str]]:
 
 
 def _picture(name: str, out: OutputFolder) -> str:
-    file = os.path.join(out.part_folder(name), "dimples.png")
-    if not os.path.isfile(file):
-        return ""
-    with open(file, "rb") as picture:
-        text = base64.b64encode(picture.read()).decode("ascii")
-    return '<img alt="dimples" src="data:image/png;base64,%s">' % text
+    """The pictures of a part's textures, in the page itself."""
+    names = glob.glob(os.path.join(glob.escape(out.part_folder(name)), "picture-*.png"))
+    found = []
+    for file in sorted(names, key=lambda n: (len(n), n)):
+        with open(file, "rb") as picture:
+            text = base64.b64encode(picture.read()).decode("ascii")
+        found.append('<img alt="dimples" src="data:image/png;base64,%s">' % text)
+    return "".join(found)

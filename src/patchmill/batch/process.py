@@ -53,11 +53,15 @@ def module_folder() -> str:
 
 
 def run_part(
-    request: Dict[str, Any], limits: Dict[str, float], stop: Optional[threading.Event] = None
+    request: Dict[str, Any],
+    limits: Dict[str, float],
+    stop: Optional[threading.Event] = None,
+    module: str = "patchmill.batch.part_job",
 ) -> Dict[str, Any]:
     """The result of one part, whatever happens: that of part_job.run, or one that says that the process
-    took too long, too much memory, or died. `request` as part_job.run takes it; limits: seconds,
-    memory_mib; `stop` ends it from another thread. Adds `run`: seconds and memory_mib of the process."""
+    took too long, too much memory, or died. `request` as part_job.run takes it; limits: seconds, memory_mib;
+    `stop` ends it from another thread; module: another than part_job, with a main of its own. Adds `run`:
+    seconds and memory_mib of the process."""
     folder = request["folder"]
     name = os.path.join(folder, "request.json")
     with open(name, "w", encoding="utf-8") as file:
@@ -65,7 +69,7 @@ def run_part(
     log = os.path.join(folder, "log.txt")
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="patchmill-home-") as home, open(log, "wb") as output:
-        process = _start(name, home, output)
+        process = _start(module, name, home, output)
         ended, peak = _wait(process, limits, begin, stop)
     os.unlink(name)
     result = ended or _answer(folder, process.returncode, log)
@@ -81,10 +85,10 @@ def make(task: Task, stop: Optional[threading.Event] = None) -> Tuple[Task, Dict
     return task, run_part(task.request, task.limits, stop)
 
 
-def _start(request: str, home: str, output: Any) -> "subprocess.Popen[bytes]":
+def _start(module: str, request: str, home: str, output: Any) -> "subprocess.Popen[bytes]":
     code = (
-        "import sys; sys.argv = ['part', %r]; from patchmill.batch import part_job; "
-        "sys.exit(part_job.main(sys.argv[1]))" % request
+        "import importlib, sys; sys.argv = ['part', %r]; "
+        "sys.exit(importlib.import_module(%r).main(sys.argv[1]))" % (request, module)
     )
     environment = dict(os.environ, FREECAD_USER_HOME=home, MPLCONFIGDIR=home)
     command = [freecad_command(), "-c", code, "-M", module_folder()]

@@ -15,7 +15,7 @@ from patchmill.batch import recipe
 from patchmill.batch.outputs import OutputFolder
 from patchmill.batch.process import Task, make
 
-Told = Callable[[int, int, str, Dict[str, Any]], None]
+Told = Callable[[int, int, str, Dict[str, Any], bool], None]
 
 
 def key_of(part: recipe.PartFile, made_by: recipe.Recipe) -> str:
@@ -51,9 +51,8 @@ def run(
     told: Optional[Told] = None,
 ) -> Dict[str, Dict[str, Any]]:
     """Makes all parts of a recipe in the folder `out`; returns their results by name.
-    each: see `here`. resume: parts whose file,
-    recipe and version are those of an earlier run are taken over. told(number, of, name, result) is
-    called after each."""
+    each: see `here`. resume: parts whose file, recipe and version are those of an earlier run are taken
+    over. told(number, of, name, result, made) is called after each; made: not taken over."""
     results: Dict[str, Dict[str, Any]] = {}
     tasks: List[Task] = []
     for part in wanted.parts:
@@ -63,12 +62,12 @@ def run(
             tasks.append(_task(part, key, wanted, out))
         else:
             results[part.name] = known
-            _tell(told, results, wanted, part.name, known)
+            _tell(told, results, wanted, part.name, False)
     for task, result in each(tasks):
         result.update(key=task.key, file=os.path.relpath(task.request["file"], wanted.folder))
         out.keep(task.name, task.request["folder"], result)
         results[task.name] = result
-        _tell(told, results, wanted, task.name, result)
+        _tell(told, results, wanted, task.name, True)
     return {p.name: results[p.name] for p in wanted.parts}
 
 
@@ -82,6 +81,6 @@ def _task(part: recipe.PartFile, key: str, wanted: recipe.Recipe, out: OutputFol
     return Task(part.name, request, dict(wanted.data.get("limits", {})), key)
 
 
-def _tell(told: Optional[Told], results: Any, wanted: recipe.Recipe, name: str, result: Any) -> None:
+def _tell(told: Optional[Told], results: Any, wanted: recipe.Recipe, name: str, made: bool) -> None:
     if told is not None:
-        told(len(results), len(wanted.parts), name, result)
+        told(len(results), len(wanted.parts), name, results[name], made)

@@ -4,8 +4,10 @@
     patchmill.faces(shape, {"normal": [0, 0, 1], "within": 30})     # degrees
     patchmill.faces(shape, {"nearest": [0, 0, 12]})                 # mm
     patchmill.faces(shape, {"names": ["Face2", "Face3"]})
+    patchmill.faces(part, {"colour": "#ff0000"})                    # a document object, or its clone in a job
+    patchmill.faces(part, {"label": "Lid"})                         # what it shares with the object so called
 
-Every choice is a function of the geometry alone; of equals the face with the lowest number is taken.
+Of equals the face with the lowest number is taken.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -17,20 +19,27 @@ import FreeCAD
 import Part
 from _patchmill import InputError
 
+from patchmill.macros import marks
+
 ANALYTIC = ("Plane", "Cylinder", "Cone", "Sphere", "Toroid")
 WORDS = ("all", "top", "largest", "largest free-form")
 
 
-def faces(shape: Any, choice: Any) -> List[str]:
-    """Names ("Face3") of the faces of a Part.Shape that `choice` says: one of WORDS, a face's name, a list of
-    names, or a dict with one of the keys names, normal (with `within` in degrees, 15 if not given) and
-    nearest. Raises InputError naming Faces if the choice is none of these or there is no such face."""
+RULES = ("names", "normal", "nearest", "colour", "label")
+
+
+def faces(part: Any, choice: Any) -> List[str]:
+    """Names ("Face3") of the faces of a Part.Shape, or of a document object that has one, that `choice` says:
+    one of WORDS, a face's name, a list of names, or a dict with one of the keys names, normal (with `within`
+    in degrees, 15 if not given), nearest, colour and label; the last two need an object. Raises InputError
+    naming Faces if the choice is none of these or there is no such face."""
+    shape = getattr(part, "Shape", part)
     if not getattr(shape, "Faces", None):
         raise InputError("Faces", "a shape without faces", "give a solid or a surface.")
     if isinstance(choice, str):
         chosen = _by_word(shape, choice)
     elif isinstance(choice, dict):
-        chosen = _by_rule(shape, choice)
+        chosen = _by_rule(part, shape, choice)
     else:
         chosen = _by_names(shape, choice)
     if not chosen:
@@ -97,7 +106,7 @@ def _by_names(shape: Any, names: Any) -> List[str]:
     return list(names)
 
 
-def _by_rule(shape: Any, rule: Dict[str, Any]) -> List[str]:
+def _by_rule(part: Any, shape: Any, rule: Dict[str, Any]) -> List[str]:
     rule = {k: v for k, v in rule.items() if not k.startswith("//")}
     keys = set(rule) - {"within"}
     if keys == {"names"}:
@@ -106,7 +115,13 @@ def _by_rule(shape: Any, rule: Dict[str, Any]) -> List[str]:
         return _facing(shape, _vector(rule["normal"]), _angle(rule.get("within", 15.0)))
     if keys == {"nearest"}:
         return _nearest(shape, _vector(rule["nearest"]))
-    raise InputError("Faces", rule, "give one of the keys names, normal and nearest.")
+    if keys in ({"colour"}, {"label"}) and part is shape:
+        raise InputError("Faces", rule, "a shape has none: give the object of the document.")
+    if keys == {"colour"}:
+        return [_name(k) for k in marks.with_colour(part, rule["colour"])]
+    if keys == {"label"}:
+        return [_name(k) for k in marks.with_label(part, str(rule["label"]))]
+    raise InputError("Faces", rule, "give one of the keys %s." % ", ".join(RULES))
 
 
 def _vector(value: Any) -> Any:

@@ -21,6 +21,7 @@ from _patchmill import InputError
 from patchmill.freecad import host
 from patchmill.machine import machines
 from patchmill.macros import faces as face_choice
+from patchmill.macros import marks
 
 TOOL = {"diameter": 2.0, "flutes": 2, "speed": 1000.0, "feed": 450.0, "direction": "Forward"}
 KINDS = {
@@ -80,7 +81,7 @@ def texture(job: Any, faces: Any, kind: str = "Curved", name: str = "Texture", *
     if kind not in KINDS:
         raise InputError("kind", repr(kind), "give one of: %s." % ", ".join(KINDS))
     model = job.Model.Group[0]
-    chosen = face_choice.faces(model.Shape, faces)
+    chosen = face_choice.faces(model, faces)
     operation = getattr(patchmill, KINDS[kind]).Create(name, parentJob=job)
     operation.Base = [(model, chosen)]
     machine = getattr(job, "PatchMillMachine", "")
@@ -128,8 +129,8 @@ def _part_of(part: Any) -> Any:
 
 def read_part(filename: str) -> Any:
     """The part of a file as a document object in a new document: a STEP, IGES or BREP file's shape, or of a
-    FreeCAD document its one object that has faces and that no other object is made of. Raises InputError
-    naming part."""
+    FreeCAD document its one object with solids (without any: with faces) of which no other is made. Raises
+    InputError naming part."""
     if not os.path.isfile(filename):
         raise InputError("part", filename, "there is no such file.")
     stem, ending = os.path.splitext(os.path.basename(filename))
@@ -144,6 +145,7 @@ def read_part(filename: str) -> Any:
     document = FreeCAD.newDocument("part")
     part = document.addObject("Part::Feature", "Part")
     part.Label, part.Shape = stem, shape
+    marks.remember(part, filename)
     document.recompute()
     return part
 
@@ -153,11 +155,9 @@ def _first_line(error: BaseException) -> str:
 
 
 def _part_in(document: Any, filename: str) -> Any:
-    whole = [
-        o
-        for o in document.Objects
-        if getattr(o, "Shape", None) and o.Shape.Faces and not any(hasattr(p, "Shape") for p in o.InList)
-    ]
+    shaped = [o for o in document.Objects if getattr(o, "Shape", None) and o.Shape.Faces]
+    shaped = [o for o in shaped if o.Shape.Solids] or shaped
+    whole = [o for o in shaped if not any(p in shaped for p in o.InList)]
     if len(whole) != 1:
         found = ", ".join(o.Label for o in whole) or "none"
         raise InputError("part", filename, "it holds %d parts (%s): keep one." % (len(whole), found))
