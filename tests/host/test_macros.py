@@ -11,12 +11,14 @@ import sys
 import tempfile
 import unittest
 import zipfile
+from unittest import mock
 
 import FreeCAD
 import Import
 import Part
 import patchmill
 from patchmill.freecad import host
+from patchmill.machine import machines
 from patchmill.macros import jobs
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -215,6 +217,16 @@ class Jobs(WithDocuments):
         job = patchmill.job(STEP, machine="linuxcnc-mill", offset="G55")
         op = patchmill.texture(job, "top")
         self.assertEqual((op.Machine, list(job.Fixtures)), ("linuxcnc-mill", ["G55"]))
+
+    def test_the_post_is_that_of_the_machines_control(self):
+        for machine, post in (
+            ("linuxcnc-mill", "linuxcnc"),  # it says nothing of its control
+            ("table-table-ac", "patchmill_linuxcnc"),
+        ):
+            self.assertEqual(patchmill.job(STEP, machine=machine).PostProcessor, post)
+        data = dict(machines.load("table-table-ac").data, controller={"dialect": "grblhal"})
+        with mock.patch.object(machines, "load", lambda name: machines.Machine("m", data)):
+            self.assertEqual(patchmill.job(STEP, machine="m").PostProcessor, "patchmill_grblhal")
 
     def test_refused_by_name(self):
         for name, value in (

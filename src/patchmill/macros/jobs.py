@@ -22,6 +22,7 @@ from patchmill.freecad import host
 from patchmill.machine import machines
 from patchmill.macros import faces as face_choice
 from patchmill.macros import marks
+from patchmill.posting import control_match
 
 TOOL = {"diameter": 2.0, "flutes": 2, "speed": 1000.0, "feed": 450.0, "direction": "Forward"}
 KINDS = {
@@ -29,12 +30,6 @@ KINDS = {
     "Pyramid": "PyramidTexture",
     "Curved": "CurvedTexture",
     "Calibration": "CalibrationPatch",
-}
-POSTS = {
-    "linuxcnc": "patchmill_linuxcnc",
-    "fanuc": "patchmill_fanuc",
-    "siemens": "patchmill_siemens",
-    "heidenhain": "patchmill_heidenhain",
 }
 
 
@@ -189,7 +184,8 @@ def _offset(offset: str) -> str:
 
 def _set_post(made: Any, machine: Optional[str], post: Optional[str]) -> None:
     if post is None and machine is not None:
-        post = POSTS.get(machines.load(machine).controller["dialect"])
+        dialect = machines.load(machine).controller["dialect"]
+        post = None if dialect == control_match.ANY else "patchmill_" + dialect
     made.PostProcessorArgs = "--no-header --no-show-editor"
     if post is None:
         post = "linuxcnc"
