@@ -140,7 +140,7 @@ PAGES = {
         (textured, "result.data()['missing'] == 0 and check.outcome == 'clear'"),
         (turning, "patchmill.recompute(op).posture is not None"),
     ],
-    "batch": [(a_file, "plan.counts['cut'] > 5000 and os.path.getsize('block.ngc') > 1000")],
+    "macros": [(a_file, "plan.counts['cut'] > 5000 and os.path.getsize('block.ngc') > 1000")],
     "checks": [(textured, "result.outcome == 'clear'")],
     "copy-milling": [(copying, "len(path) > 20"), (None, "session.done")],
     "cutter-marks": [(locked, "result.data()['missing'] == 0"), (None, "points.shape[:2] == heights.shape")],
