@@ -121,6 +121,16 @@ class Refusals(WithFolder):
 
 
 class Names(WithFolder):
+    def test_a_pattern_may_be_of_nothing_but_not_all(self):
+        name = self.write(dict(RECIPE, parts=["*.step", "*.stp"]))
+        with self.assertRaises(BatchError) as caught:
+            recipe.load(name, [])
+        self.assertIn("*.step, *.stp", str(caught.exception))
+        shutil.copy(STEP, self.path("a.step"))
+        self.assertEqual([p.name for p in recipe.load(name, []).parts], ["a"])
+        with self.assertRaises(BatchError):
+            recipe.load(self.write(dict(RECIPE, parts=["*.step", "b.step"])), [])
+
     def test_equal_names_in_two_folders_stay_apart(self):
         for sub in ("a", "b"):
             os.mkdir(self.path(sub))

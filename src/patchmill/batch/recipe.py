@@ -185,11 +185,13 @@ def _named_parts(names: List[str], folder: str, filename: str) -> List[str]:
             files = [os.path.join(path, f) for f in os.listdir(path) if f.lower().endswith(ENDINGS)]
         else:
             files = [f for f in glob.glob(path, recursive=True) if os.path.isfile(f)]
-        if not files:
-            raise BatchError(where, name, "there is no such file, folder or pattern.")
+        if not files and not glob.has_magic(name):  # "*.step", "*.stp": a folder may have one of them
+            raise BatchError(where, name, "there is no such file, or no part in that folder.")
         for file in files:
             inside(folder, os.path.relpath(file, folder), where)
         found += [f for f in sorted(files) if f not in found]
+    if not found:
+        raise BatchError("%s: /parts" % filename, ", ".join(names), "nothing here has such a name.")
     return found
 
 
