@@ -142,7 +142,7 @@ call("advise", wish=core.MarkWish(t.tool, 16.0, "Square", 5.0, feed_per_tooth=0.
 call("in_rows", dimples=t.dimples, pattern=t.pattern, direction=0, one_way=False, whole_face=True)
 call("row_directions", pattern=t.pattern)
 call("milled_patches", dimples=t.dimples)
-call("from_patch", dimples=t.dimples, first=1)
+call("from_patch", lambda first: core.from_patch(t.dimples, first), first=1)
 call("nearest_row_direction", pattern=t.pattern, direction=(1.0, 0.0))
 call("flattest_row_direction", dimples=t.dimples, pattern=t.pattern)
 

@@ -55,7 +55,7 @@ def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None):
         verdict = core.judge_plan(plan, dimples, given.tool, given.spindle, rule, machine.model)
         period = core.phase_period(given.tool.flutes, rule)
         start = 0.0 if given.calibrating else machine.start_phase % period
-        if whole is not None and given.strategy == LOCKED:
+        if whole is not None and strategy.locked:
             start = _phase_behind(path, whole.path) % period
         if start:
             path = core.with_start_phase(path, start, period, given.decimals)

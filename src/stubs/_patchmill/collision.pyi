@@ -14,7 +14,7 @@ import _patchmill.path
 class PartModel:
     """The part as closed meshes; known is False if it could not be."""
     def distances(self, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """Signed distances [mm] of (n, 3) points, positive outside."""
+        """Signed distances [mm] of (n, 3) points, positive outside. Raises InputError naming Part if the model is not known."""
         ...
     @property
     def known(self) -> bool:
@@ -45,11 +45,11 @@ class Tessellation:
         ...
 
 def check_clearance(path: _patchmill.path.ToolPath, sections: list[tuple[str, float, float, float, float]], part: PartModel, tolerance: float, clearance: float, resolution: float, most_findings: int = 1000, first_move: int = 0, progress: object = None) -> dict[str, typing.Any]:
-    """Gouges and collisions of a path: outcome 'clear', 'violated' or 'unknown', and arrays. `sections`: (part, from, to, radius_from, radius_to) above the tip [mm]."""
+    """Gouges and collisions of a path: outcome 'clear', 'violated' or 'unknown', and arrays. `sections`: (part, from, to, radius_from, radius_to) above the tip [mm]. Raises InputError naming ToolSection, Tolerance, Clearance or Resolution."""
     ...
 def part_model(breps: list[str], deflection: float) -> PartModel:
-    """Meshes the solids of shapes given as BREP texts."""
+    """Meshes the solids of shapes given as BREP texts. Raises InputError naming Model or Deflection."""
     ...
 def tessellate(brep: str, deflection: float, angle: float = 0.35) -> Tessellation:
-    """A shape, given as BREP text, as one mesh; `deflection` [mm], `angle` [rad]."""
+    """A shape, given as BREP text, as one mesh; `deflection` [mm], `angle` [rad]. Raises InputError naming Shape, Deflection or DeflectionAngle."""
     ...

@@ -9,14 +9,24 @@ import typing
 
 import numpy
 import numpy.typing
+import enum
 
 BallEndMill = Tool
 
+class MoveKind(enum.IntEnum):
+    """What a move is for: RAPID, G0, its time is the machine's affair; LINK, timed and clear of the part; CUT, timed and near or in the part."""
+    RAPID = 0
+    LINK = 1
+    CUT = 2
+
+NO_DIMPLE: int
 class Spindle:
     """Speed [revolutions per second], > 0, and sense, 'M3' or 'M4'."""
     def __eq__(self, other: object) -> bool:
+        """Whether speed and sense are the same. Raises nothing."""
         ...
     def __init__(self, speed: float, sense: str) -> None:
+        """Speed [revolutions per second] and sense. Raises InputError naming SpindleSpeed or SpindleDirection."""
         ...
     @property
     def sense(self) -> str:
@@ -31,8 +41,10 @@ class Spindle:
 class Tool:
     """A cutter: radius [mm], > 0; flutes, 1 to 32; radius of its corner [mm], 0 (flat) to the radius (a ball, as without one); angle between flank and axis [rad]. Raises InputError naming BallRadius, Flutes, CornerRadius or TaperAngle."""
     def __eq__(self, other: object) -> bool:
+        """Whether all its lengths are the same. Raises nothing."""
         ...
     def __init__(self, radius: float, flutes: int, corner_radius: typing.Optional[float] = None, taper: float = 0.0) -> None:
+        """Lengths in mm, `taper` [rad]. Raises InputError naming BallRadius, Flutes, CornerRadius or TaperAngle."""
         ...
     @property
     def corner_radius(self) -> float:
@@ -51,7 +63,7 @@ class Tool:
     def radius(self) -> float:
         ...
     def scallop_height(self, cross_feed: float) -> float:
-        """Ridge that it leaves on a flat between passes [mm]."""
+        """Ridge that it leaves on a flat between passes [mm]. Raises InputError naming CrossFeed."""
         ...
     @property
     def taper(self) -> float:
@@ -60,6 +72,7 @@ class Tool:
 class ToolPath:
     """An ordered list of timed moves of the tool tip."""
     def __len__(self) -> int:
+        """How many moves it has. Raises nothing."""
         ...
     @property
     def axes(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -67,11 +80,11 @@ class ToolPath:
         ...
     @property
     def dimples(self) -> numpy.typing.NDArray[numpy.int32]:
-        """Number of the dimple on which each move ends, or -1."""
+        """Number of the dimple on which each move ends, or NO_DIMPLE."""
         ...
     @property
     def kinds(self) -> numpy.typing.NDArray[numpy.uint8]:
-        """0 rapid, 1 link, 2 cut."""
+        """The MoveKind of each move."""
         ...
     @property
     def spindle(self) -> Spindle:
@@ -80,7 +93,7 @@ class ToolPath:
     def start(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
     def statistics(self) -> dict[str, typing.Any]:
-        """Lengths [mm], seconds, turns and counts."""
+        """Lengths [mm], seconds, turns and counts. Raises nothing."""
         ...
     @property
     def tips(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -95,5 +108,5 @@ class ToolPath:
         ...
 
 def make_path(tool: Tool, spindle: Spindle, start: numpy.typing.ArrayLike, tips: numpy.typing.ArrayLike, axes: typing.Optional[numpy.typing.ArrayLike], kinds: list[int], turns: list[float]) -> ToolPath:
-    """ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an upright tool, kinds, spindle turns or NaN. Raises InputError naming path, axes, kind or turns."""
+    """ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an upright tool, a MoveKind for each, spindle turns or NaN. Raises InputError naming path, axes, kind or turns."""
     ...
