@@ -175,6 +175,12 @@ class Outcomes(unittest.TestCase):
             named = seen.setdefault(name.split()[0], set())
             if isinstance(error, core.InputError):
                 named.add(error.property)
+        for name, (_, good) in CALLS.items():
+            for argument, value in good.items():
+                for bad in not_finite(value, [NAN, INF]):
+                    error = self.outcome(name, **{argument: bad})
+                    if isinstance(error, core.InputError):
+                        seen.setdefault(name.split()[0], set()).add(error.property)
         for name, named in seen.items():
             claimed = claims(document(name))
             if name not in GO_ON and name not in NAME_PLACES:

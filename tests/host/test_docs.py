@@ -147,7 +147,7 @@ PAGES = {
     "five-axis": [(textured, "patchmill.recompute(op).posture is not None")],
     "matsuda-condition": [(lambda: {"patchmill": patchmill}, "p.feed > 0.0")],
     "patch-division": [(lambda: job_over(tilted([1, 4])), "op.DimpleCount > 20")],
-    "rows": [(locked, "patchmill.recompute(op).counts['cut'] > 50"), (None, "found.best is not None")],
+    "rows": [(locked, "patchmill.recompute(op).counts['cut'] > 50")],
 }
 
 

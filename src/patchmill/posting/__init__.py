@@ -4,7 +4,6 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import functools
-import importlib
 import re
 import shlex
 from dataclasses import dataclass
@@ -20,6 +19,7 @@ from patchmill.machine import calibrated
 from patchmill.operations.base import planned
 from patchmill.operations.copy_input import UNDERCUTS
 from patchmill.posting import control_match, kept_words, program_header, rest_of_job
+from patchmill.posting.control_match import own_dialect
 from patchmill.textures import strategies
 from patchmill.verify import checks, posted_job, posted_milling
 from patchmill.verify.posted_texture import PostedTexture
@@ -217,16 +217,6 @@ def _check_post(post_name, plans, tilted):
 @functools.lru_cache(maxsize=None)
 def _probed(post_name):
     return post_probe.probe(host, post_name)
-
-
-def own_dialect(post_name):
-    """The post_dialect.Dialect of one of PatchMill's own posts, None for any other post."""
-    if not post_name.startswith("patchmill_"):
-        return None
-    try:
-        return importlib.import_module(post_name + "_post").DIALECT
-    except ImportError as error:
-        raise InputError("PostProcessor", post_name, "there is no such post-processor.") from error
 
 
 def _single_text(job, post_name, arguments):

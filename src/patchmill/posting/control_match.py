@@ -4,6 +4,8 @@ which control that is and how many decimals it takes.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import importlib
+
 from _patchmill import InputError
 
 STOCK = {  # of FreeCAD's own posts, those that are for one of the controls known here
@@ -13,6 +15,16 @@ STOCK = {  # of FreeCAD's own posts, those that are for one of the controls know
     "heidenhain": "heidenhain",
 }
 ANY = "freecad"  # a machine file that names no control
+
+
+def own_dialect(post_name):
+    """The post_dialect.Dialect of one of PatchMill's own posts, None for any other post."""
+    if not post_name.startswith("patchmill_"):
+        return None
+    try:
+        return importlib.import_module(post_name + "_post").DIALECT
+    except ImportError as error:
+        raise InputError("PostProcessor", post_name, "there is no such post-processor.") from error
 
 
 def post_for(plans):

@@ -16,7 +16,8 @@ import FreeCAD
 from patchmill.freecad import host, preferences
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.base import planned
-from patchmill.posting import control_match, own_dialect
+from patchmill.posting import control_match
+from patchmill.posting.control_match import own_dialect
 from patchmill.textures import strategies
 
 FILE_ENDINGS = {"linuxcnc": "ngc", "grblhal": "nc", "fanuc": "nc", "siemens": "mpf", "heidenhain": "h"}

@@ -200,7 +200,7 @@ def run_check(given, path=None, first_move=0, progress=None):
 def _planned_sink(plan, part):
     """How deep the planned bottoms lie below the model, at most [mm]: patches in planes and isolated dimples
     are meant to."""
-    cut = plan.dimples.states == 0
+    cut = plan.dimples.states == core.DimpleState.CUT
     if not cut.any():
         return 0.0
     below = plan.dimples.depths[cut] - part.distances(plan.dimples.positions[cut])

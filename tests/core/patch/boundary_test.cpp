@@ -8,6 +8,9 @@
 #include "patchmill/patch/mask.h"
 #include "patchmill/patch/patch_surface.h"
 
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -66,7 +69,7 @@ TEST(Boundary, LimitsOutOfRangeAreNamed) {
         refused([&](Dimples& d) { limit_steepness(d, -Vec3::UnitZ(), Angle::degrees(degrees)); }),
         "SteepnessLimit")
         << degrees;
-  for (const double margin : {-1e-6, -5.0, INFINITY, std::nan("")})
+  for (const double margin : {-1e-6, -5.0, std::numeric_limits<double>::infinity(), std::nan("")})
     EXPECT_EQ(refused([&](Dimples& d) { keep_off_edges(d, {}, margin); }), "Margin") << margin;
   EXPECT_EQ(refused([](Dimples& d) {
               limit_steepness(d, -Vec3::UnitZ(), Angle::degrees(90.0));
