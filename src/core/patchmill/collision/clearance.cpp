@@ -50,6 +50,36 @@ void check_moves(const ToolPath& path, const std::vector<ToolSection>& sections,
   }
 }
 
+/// How deep the section of a tool part is at a finding's place on its move, exactly where the part's shape knows.
+void sharpen(const ToolPath& path, const std::vector<ToolSection>& sections, const PartShape& part,
+             const ClearanceOptions& options, ClearanceFinding& found) {
+  const auto move = static_cast<std::size_t>(found.move);
+  const Swing swing(move > 0 ? path.moves[move - 1].end : path.start, path.moves[move].end);
+  const bool cuts = found.part == ToolPart::Flute;
+  const double limit = cuts ? -options.tolerance : options.clearance;
+  for (const ToolSection& section : sections) {
+    if (section.part != found.part) continue;
+    const SectionDistance now = part.section(section, swing.at(found.share), limit);
+    if (!(limit - now.distance > found.depth)) continue;
+    found.depth = limit - now.distance;
+    found.place = now.place;
+  }
+}
+
+/// A whole move is searched to a tenth of a depth; what is said first is the deepest of each tool part, which is
+/// looked at again.
+void sharpen_deepest(const ToolPath& path, const std::vector<ToolSection>& sections,
+                     const PartShape& part, const ClearanceOptions& options,
+                     std::vector<ClearanceFinding>& findings) {
+  if (!part.section) return;
+  for (const ToolPart each : {ToolPart::Flute, ToolPart::Shank, ToolPart::Holder}) {
+    ClearanceFinding* deepest = nullptr;
+    for (ClearanceFinding& one : findings)
+      if (one.part == each && (!deepest || one.depth > deepest->depth)) deepest = &one;
+    if (deepest) sharpen(path, sections, part, options, *deepest);
+  }
+}
+
 }  // namespace
 
 const char* name(ToolPart part) {
@@ -96,6 +126,7 @@ ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSect
     stopped = report.findings.size() >= options.most_findings || shared.stopped();
   }
   if (report.findings.size() > options.most_findings) report.findings.resize(options.most_findings);
+  sharpen_deepest(path, sections, part, options, report.findings);
   if (!report.findings.empty())
     report.outcome = ClearanceOutcome::Violated;
   else if (!stopped && report.unknown_moves == 0)
