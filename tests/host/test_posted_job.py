@@ -127,6 +127,7 @@ class PostedJob(WithDocuments):
 
     def test_what_no_program_can_be_made_of(self):
         job, (texture,) = self.job("Constant feed")
+        job.PostProcessor = "linuxcnc"
         for arguments in ("--precision='3", "--precision=many", "--precision -1", "--precision"):
             self.refused("PostProcessorArgs", patchmill.post, job, self.program, None, arguments)
         self.refused("PostProcessor", patchmill.post, job, self.program, "os; import antigravity")

@@ -276,14 +276,16 @@ def post_processor_class() -> typing.Any:
 
 
 def post_objects(job, post_name):
-    """What FreeCAD hands to the post-processor: a list for each file. Work offsets are without a Proxy."""
+    """What FreeCAD hands to the post-processor: a list for each file, without what is switched off, which
+    FreeCAD 1.x leaves to the post. Work offsets are without a Proxy."""
     if VERSION < (0, 21):
         import PathScripts.PathPost as PathPost
 
         return PathPost.CommandPathPost().buildPostList(job)
     from Path.Post.Processor import PostProcessorFactory
 
-    return [o for _, o in PostProcessorFactory.get_post_processor(job, post_name)._buildPostList()]
+    files = PostProcessorFactory.get_post_processor(job, post_name)._buildPostList()
+    return [[obj for obj in objects if is_active(obj)] for _, objects in files]
 
 
 def post_parts(job, post_name, arguments):

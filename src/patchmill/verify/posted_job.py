@@ -202,8 +202,8 @@ def read_back(text, objects, dialect, half_unit, known=(), own=True):
         return [posted_milling.unknown(op, posted_milling.UNREADABLE % error) for op in operations]
     posted = []
     for obj in objects:
-        if offset_number(getattr(obj, "Label", "")) and not hasattr(obj, "Proxy"):
-            reading.offset = obj.Label
+        if _work_offset(obj):
+            reading.offset = _work_offset(obj)
         elif is_operation(obj):
             texture = kind_of(obj) == TEXTURE
             posted.append(reading.texture(obj) if texture else reading.other(obj))
@@ -214,6 +214,16 @@ def read_back(text, objects, dialect, half_unit, known=(), own=True):
     reading.words_between(None, math.inf)
     textures = [one for one in posted if isinstance(one, posted_texture.PostedTexture)]
     return textures + [one for one in posted if not isinstance(one, posted_texture.PostedTexture)]
+
+
+def _work_offset(obj):
+    """Name of the work offset that an object handed to the post-processor stands for; '' of others.
+    It is the label in FreeCAD 0.20, the command of the path from 1.0 on."""
+    if hasattr(obj, "Proxy"):
+        return ""
+    path = getattr(obj, "Path", None)
+    names = [getattr(obj, "Label", ""), *(command.Name for command in (path.Commands if path else ()))]
+    return next((name for name in names if offset_number(name)), "")
 
 
 def _changes(modes):
