@@ -168,13 +168,15 @@ def _good_but_where_flat(patches):
 
 def _can_be_planned(given):
     """Whether the whole texture can be planned, and its phase holds. Polygons go from patch to patch as they
-    go within one: for them the patches that were looked at say it."""
-    if given.keeps_phase.polygons:
+    go within one: for them the patches that were looked at say it, unless rotary axes turn between them."""
+    polygons = given.keeps_phase.polygons
+    if polygons and given.tool_axis_mode == "Fixed":
         return True
     try:
-        return plan_texture(given).pacing.verdict.holding == "holds"
+        verdict = plan_texture(given).pacing.verdict
     except InputError:
         return False
+    return polygons or verdict.holding == "holds"
 
 
 def _rank(found):
