@@ -151,6 +151,10 @@ def inside(folder: str, name: str, where: str) -> str:
     followed."""
     if "\0" in name or os.path.isabs(name) or ".." in name.replace("\\", "/").split("/"):
         raise BatchError(where, name, "give a name in the recipe's own folder, without '..'.")
+    try:
+        os.fsencode(name)
+    except UnicodeEncodeError as error:  # half a character
+        raise BatchError(where, name, "no file can have such a name.") from error
     path = os.path.join(folder, name)
     home = os.path.realpath(folder)
     if os.path.commonpath([home, os.path.realpath(path)]) != home:
