@@ -168,15 +168,12 @@ def _good_but_where_flat(patches):
 
 def _can_be_planned(given):
     """Whether the whole texture can be planned, and its phase holds. Polygons go from patch to patch as they
-    go within one: for them the patches that were looked at say it, unless rotary axes turn between them."""
-    polygons = given.keeps_phase.polygons
-    if polygons and given.tool_axis_mode == "Fixed":
-        return True
+    go within one: of them the patches that were looked at say whether the phase does."""
     try:
         verdict = plan_texture(given).pacing.verdict
     except InputError:
         return False
-    return polygons or verdict.holding == "holds"
+    return given.keeps_phase.polygons or verdict.holding == "holds"
 
 
 def _rank(found):
