@@ -72,6 +72,15 @@ class OperationPanel(NativePanel):
         for page in self.featurePages:
             guard_editors(page.form)  # also FreeCAD's own
 
+    def pageDirtyChanged(self, page):
+        """Enables Apply. FreeCAD takes the buttons of a panel away before it forgets the panel: a page that
+        changes meanwhile changes nothing that is still shown."""
+        try:
+            super().pageDirtyChanged(page)
+        except RuntimeError as gone:
+            if "already deleted" not in str(gone):
+                raise
+
     def stop(self):
         """Gives up what runs for the panel, and what only the panel showed."""
         raise NotImplementedError
