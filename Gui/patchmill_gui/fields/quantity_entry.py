@@ -47,8 +47,9 @@ class QuantityEntry(QtCore.QObject):
         self._rest.timeout.connect(self._take_text)
 
     def show(self, value):
-        """Shows `value`, as not edited. Under the keys nothing is rewritten: whoever types slowly goes on."""
-        if self._typing and self.line.hasFocus() and self.value is not None:
+        """Shows `value`, as not edited. In the field with the keyboard's focus nothing is rewritten: whoever
+        types slowly goes on, and what is selected stays so."""
+        if self.line.hasFocus() and self.value is not None:
             if abs(value - self.value) <= 1e-9 * max(1.0, abs(value)):
                 return
         self.value, self.is_edited, self._typing = value, False, False
