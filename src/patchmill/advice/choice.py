@@ -60,9 +60,8 @@ def _fields(strategy, same_flute, extra_turns, order=rows.HELIX):
 
 def _directions(given):
     """Both directions of rows, the one with the longer rows first. Up and down a slope the tip reaches the
-    dimple
-    before, and across it does not: which of them is good is to be tried, and a single patch does not say
-    which takes the least time."""
+    dimple before, and across it does not: which of them is good is to be tried, and a single patch does not
+    say which takes the least time."""
     turned = abs(math.cos(math.radians(given.rotation))) < math.sqrt(0.5)
     along_x = _length(given, 0) >= _length(given, 1)
     both = (rows.ALONG_X, rows.ALONG_Y)
