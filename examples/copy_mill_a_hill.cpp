@@ -60,7 +60,7 @@ int run() {
   collision::ClearanceOptions limits;
   limits.tolerance = 0.02;
   limits.resolution = 0.005;
-  const auto found = collision::check_clearance(path, {}, collision::shape_from_mesh(part), limits);
+  const auto found = collision::check_clearance(path, collision::shape_from_mesh(part), limits);
   std::printf("%zu moves, %.0f mm cut; ridges of %.3f mm on a flat; %s\n", path.moves.size(),
               statistics(path).cut_length, scallop_height(options.tool, options.radial_depth),
               found.outcome == collision::ClearanceOutcome::Clear ? "no gouge" : "gouges");

@@ -53,7 +53,7 @@ TEST(DocsBlocks, CopyMillingOfAMesh) {
   collision::ClearanceOptions limits;
   limits.tolerance = 0.06;
   const auto found =
-      collision::check_clearance(path, {}, collision::shape_from_mesh(part_mesh), limits);
+      collision::check_clearance(path, collision::shape_from_mesh(part_mesh), limits);
   EXPECT_EQ(found.outcome, collision::ClearanceOutcome::Clear);
 }
 

@@ -56,7 +56,8 @@ AREA = dict(low=(-2.0, -2.0), high=(2.0, 2.0))
 SHOWN = dict(low=0.0, high=1.0)
 
 # tools, paths and texts
-call("BallEndMill", radius=1.0, flutes=2)
+call("BallEndMill", radius=1.0, flutes=2, cutting_length=4.0, shank_radius=1.0, stick_out=20.0,
+     holder=[(20.0, 60.0, 10.0, 10.0)])
 call("Spindle", speed=16.0, sense="M3")
 call("ThreadLimit", threads=1)
 call("make_path", tool=t.tool, spindle=t.spindle, start=(0.0, 0.0, 5.0), tips=ROWS3, axes=UP, kinds=[0, 1, 2],

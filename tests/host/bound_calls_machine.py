@@ -110,9 +110,8 @@ call("classify_alignment", places=np.random.default_rng(1).random((30, 2)), feed
      cross_feed=0.5)
 call("part_model", breps=[t.BLOCK], deflection=0.1)
 call("PartModel.distances", t.part_model.distances, points=ROWS3)
-call("check_clearance", path=t.path, sections=[("flute", 1.0, 5.0, 1.0, 1.0)], part=t.part_model,
-     tolerance=0.01,
-     clearance=0.5, resolution=0.01, most_findings=100, first_move=0)
+call("check_clearance", path=t.path, part=t.part_model, tolerance=0.01, clearance=0.5, resolution=0.01,
+     most_findings=100, first_move=0, cutting=True)
 
 # displays
 call("dimple_display", dimples=t.dimples, radius=0.2)

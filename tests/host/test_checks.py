@@ -186,8 +186,8 @@ class Checks(WithDocuments):
         _, _, op = job_on(*slope_with_wall(0))
         for name, value in (("StickOut", 0.5), ("GougeTolerance", 0.0)):
             setattr(op, name, value)
-            patchmill.recompute(op)
             with self.assertRaises(patchmill.InputError) as caught:
+                patchmill.recompute(op)
                 patchmill.check(op)
             self.assertEqual(caught.exception.property, name)
             setattr(op, name, 0.01 if name == "GougeTolerance" else 0.0)

@@ -58,7 +58,7 @@ class Cutters(unittest.TestCase):
         operation = CopyMilling.Create("CopyMilling", parentJob=job)
         operation.Mode, operation.RadialDepth, operation.AxialDepth = "Scanning", 5.0, 8.0
         bull = core.Tool(float(bit.Diameter) / 2.0, 2, 1.0)
-        known, tool_controller.cutter = tool_controller.cutter, lambda controller: bull
+        known, tool_controller.cutter = tool_controller.cutter, lambda *_: bull
         try:
             CopyMilling.recompute(operation)
         finally:
@@ -69,14 +69,14 @@ class Cutters(unittest.TestCase):
         self.assertAlmostEqual(operation.Scallop, 1.0 - math.sqrt(0.75), places=9)
         part = core.part_model([job.Model.Group[0].Shape.exportBrepToString()], 0.005)
         self.assertTrue(part.known, part.reason)
-        found = core.check_clearance(path, [], part, 0.02, 0.1, resolution=0.005)
+        found = core.check_clearance(path, part, 0.02, 0.1, resolution=0.005)
         self.assertEqual(found["outcome"], "clear", found["reason"])
         # a tool that is told to be lower by 0.1 mm is seen
         lower = path.tips - [0.0, 0.0, 0.1]
         sunk = core.make_path(
             path.tool, path.spindle, path.start, lower, None, list(path.kinds), list(path.turns)
         )
-        found = core.check_clearance(sunk, [], part, 0.02, 0.1, resolution=0.005)
+        found = core.check_clearance(sunk, part, 0.02, 0.1, resolution=0.005)
         self.assertEqual(found["outcome"], "violated")
         self.assertEqual(set(found["parts"]), {"cutting end"})
         FreeCAD.closeDocument(document.Name)

@@ -57,7 +57,7 @@ class PostMilling(WithDocuments):
         document, job = make_job(pocket_part(), "copied", ball=True)
         operation = CopyMilling.Create("Copy", parentJob=job)
         patchmill.recompute(operation)
-        for function in (patchmill.check, patchmill.simulate, patchmill.planned):
+        for function in (patchmill.simulate, patchmill.planned):
             with self.assertRaises(InputError) as caught:
                 function(operation)
             self.assertEqual(caught.exception.property, "Operation")

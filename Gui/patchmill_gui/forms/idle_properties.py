@@ -79,7 +79,7 @@ FEED = {
     "FeedTolerance",
 }
 TRANSIENT = {"DiffusionTime", "TimeStep", "Diffusivity", "SubSteps"}
-POSTURE = {"PostureForm", "TiltLimit", "AxisTolerance", "Holder", "HolderClearance"}
+POSTURE = {"PostureForm", "TiltLimit", "AxisTolerance"}
 
 
 def idle_dcm_properties(obj):
@@ -91,6 +91,4 @@ def idle_dcm_properties(obj):
         idle |= FEED | TRANSIENT
     if obj.Diffusion == "Steady":
         idle |= TRANSIENT
-    if not obj.Holder:
-        idle.add("HolderClearance")
     return idle

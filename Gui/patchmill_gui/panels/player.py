@@ -8,7 +8,6 @@ import time
 
 import FreeCADGui
 import numpy as np
-from patchmill.verify.checks import tool_sections
 from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.texture_summary import grouped
@@ -55,17 +54,6 @@ class Timeline:
         return tip, axis / np.linalg.norm(axis), angle, move
 
 
-def sections_of(operation, radius):
-    """What is drawn above the ball: the shank and the holder that the checks go by. An operation whose holder
-    nobody checks has none; a bit that nobody can say anything of is a ball with its edges."""
-    bit_of = operation
-    while getattr(bit_of, "ToolController", None) is None and getattr(bit_of, "Base", None) is not None:
-        bit_of = bit_of.Base
-    if getattr(bit_of, "ToolController", None) is None:
-        return [("flute", radius, 4.0 * radius, radius, radius)]
-    return tool_sections(bit_of)
-
-
 class PlayerPanel(ClosePanel):
     """Task panel. `path` is the ToolPath of the document object `operation`."""
 
@@ -76,7 +64,7 @@ class PlayerPanel(ClosePanel):
         self.moment = 0.0
         self._fill_form()
         radius = path.tool.radius
-        self.tool = ToolNode(radius, path.tool.flutes, sections_of(operation, radius))
+        self.tool = ToolNode(radius, path.tool.flutes, path.tool.sections)
         self.root = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
         self.root.addChild(self.tool.root)
         self.timer = QtCore.QTimer()

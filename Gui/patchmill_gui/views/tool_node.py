@@ -16,7 +16,7 @@ class ToolNode:
     """`root` is to be added to a view. `place` puts the tool somewhere."""
 
     def __init__(self, radius, flutes, sections):
-        """`sections`: what is above the ball, as checks.tool_sections gives it."""
+        """`sections`: what is above the ball, as _patchmill.Tool.sections gives it."""
         self.root = coin.SoSeparator()
         self.pose = coin.SoTransform()
         self.spin = coin.SoRotationXYZ()

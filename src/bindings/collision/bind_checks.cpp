@@ -1,4 +1,4 @@
-// Gouge and collision checks for Python: the part as closed meshes, the tool as sections.
+// Gouge and collision checks for Python: the part as closed meshes, the tool with all that is above its end.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "brep/read_shape.h"
@@ -45,23 +45,6 @@ PartModel part_model(const std::vector<std::string>& breps, double deflection) {
   return part;
 }
 
-using SectionTuple = std::tuple<std::string, double, double, double, double>;
-
-std::vector<collision::ToolSection> sections_of(const std::vector<SectionTuple>& tuples) {
-  std::vector<collision::ToolSection> sections;
-  for (const auto& [part, from, to, radius_from, radius_to] : tuples) {
-    collision::ToolSection section{collision::ToolPart::Shank, from, to, radius_from, radius_to};
-    if (part == "flute")
-      section.part = collision::ToolPart::Flute;
-    else if (part == "holder")
-      section.part = collision::ToolPart::Holder;
-    else if (part != "shank")
-      throw InputError("ToolSection", "'" + part + "'", "give flute, shank or holder.");
-    sections.push_back(section);
-  }
-  return sections;
-}
-
 const char* name(collision::ClearanceOutcome outcome) {
   switch (outcome) {
     case collision::ClearanceOutcome::Clear:
@@ -73,16 +56,15 @@ const char* name(collision::ClearanceOutcome outcome) {
   }
 }
 
-py::dict check(const ToolPath& path, const std::vector<SectionTuple>& tuples, const PartModel& part,
-               double tolerance, double clearance, double resolution, std::size_t most_findings,
-               std::size_t first_move, const py::object& progress) {
-  const std::vector<collision::ToolSection> sections = sections_of(tuples);
+py::dict check(const ToolPath& path, const PartModel& part, double tolerance, double clearance,
+               double resolution, std::size_t most_findings, std::size_t first_move, bool cutting,
+               const py::object& progress) {
   const Progress say = progress_of(progress);
   collision::ClearanceReport report;
   {
     const py::gil_scoped_release release;
     report = collision::check_clearance(
-        path, sections, part.shape, {tolerance, clearance, resolution, most_findings, first_move},
+        path, part.shape, {tolerance, clearance, resolution, most_findings, first_move, cutting},
         say);
   }
   if (!part.known) report.reason = part.reason;
@@ -154,13 +136,12 @@ void bind_checks(py::module_& m) {
         py::call_guard<py::gil_scoped_release>(),
         "Meshes the solids of shapes given as BREP texts. Raises InputError naming Model or "
         "Deflection.");
-  m.def("check_clearance", &check, py::arg("path"), py::arg("sections"), py::arg("part"),
-        py::arg("tolerance"), py::arg("clearance"), py::arg("resolution"),
-        py::arg("most_findings") = 1000, py::arg("first_move") = 0,
-        py::arg("progress") = py::none(),
-        "Gouges and collisions of a path: outcome 'clear', 'violated' or 'unknown', and arrays. "
-        "`sections`: (part, from, to, radius_from, radius_to) above the tip [mm]. Raises "
-        "InputError naming ToolSection, Tolerance, Clearance or Resolution.");
+  m.def("check_clearance", &check, py::arg("path"), py::arg("part"), py::arg("tolerance"),
+        py::arg("clearance"), py::arg("resolution"), py::arg("most_findings") = 1000,
+        py::arg("first_move") = 0, py::arg("cutting") = true, py::arg("progress") = py::none(),
+        "Gouges and collisions of a path with its tool: outcome 'clear', 'violated' or 'unknown', "
+        "and arrays. `cutting`: whether its end and flutes are looked at, too. Raises InputError "
+        "naming Tolerance, Clearance or Resolution.");
 }
 
 }  // namespace patchmill

@@ -63,30 +63,46 @@ py::dict statistics_dict(const ToolPath& path) {
   return d;
 }
 
+using FrustumTuple = std::tuple<double, double, double, double>;
+using SectionTuple = std::tuple<std::string, double, double, double, double>;
+
+Tool make_tool(double radius, int flutes, std::optional<double> corner_radius, double taper,
+               double cutting_length, double shank_radius, double stick_out,
+               const std::vector<FrustumTuple>& holder) {
+  require_positive("BallRadius", radius, "mm");
+  require_in_range("Flutes", flutes, 1, 32, "flutes");
+  Tool tool{radius, flutes, corner_radius, Angle::radians(taper)};
+  tool.shaft = {cutting_length, shank_radius, stick_out, {}};
+  for (const auto& [from, to, radius_from, radius_to] : holder)
+    tool.shaft.holder.push_back({from, to, radius_from, radius_to});
+  require_valid(tool);
+  return tool;
+}
+
+std::vector<SectionTuple> section_tuples(const Tool& tool) {
+  std::vector<SectionTuple> out;
+  for (const ToolSection& s : tool.sections())
+    out.emplace_back(name(s.part), s.from, s.to, s.radius_from, s.radius_to);
+  return out;
+}
+
 void bind_tool(py::module_& m) {
   py::class_<Tool>(
       m, "Tool",
       "A cutter: radius [mm], > 0; flutes, 1 to 32; radius of its corner [mm], 0 (flat) to the "
-      "radius (a ball, as without one); angle between flank and axis [rad]. Raises InputError "
-      "naming BallRadius, Flutes, CornerRadius or TaperAngle.")
-      .def(py::init(
-               [](double radius, int flutes, std::optional<double> corner_radius, double taper) {
-                 require_positive("BallRadius", radius, "mm");
-                 require_in_range("Flutes", flutes, 1, 32, "flutes");
-                 const Tool tool{radius, flutes, corner_radius, Angle::radians(taper)};
-                 require_valid(tool);
-                 return tool;
-               }),
-           py::arg("radius"), py::arg("flutes"), py::arg("corner_radius") = py::none(),
-           py::arg("taper") = 0.0,
+      "radius (a ball, as without one); angle between flank and axis [rad]. Above its end, 0 where "
+      "it is not known [mm]: the height to which its edges go, the radius of its shank, how far it "
+      "stands out of its holder; the holder as (from, to, radius_from, radius_to), heights above "
+      "the tip. Raises InputError naming BallRadius, Flutes, CornerRadius, TaperAngle, "
+      "CuttingLength, ShankRadius, StickOut or ToolSection.")
+      .def(py::init(&make_tool), py::arg("radius"), py::arg("flutes"),
+           py::arg("corner_radius") = py::none(), py::arg("taper") = 0.0,
+           py::arg("cutting_length") = 0.0, py::arg("shank_radius") = 0.0,
+           py::arg("stick_out") = 0.0, py::arg("holder") = std::vector<FrustumTuple>(),
            "Lengths in mm, `taper` [rad]. Raises InputError naming BallRadius, Flutes, "
-           "CornerRadius or TaperAngle.")
+           "CornerRadius, TaperAngle, CuttingLength, ShankRadius, StickOut or ToolSection.")
       .def(
-          "__eq__",
-          [](const Tool& a, const Tool& b) {
-            return a.radius == b.radius && a.flutes == b.flutes && a.corner() == b.corner() &&
-                   a.taper == b.taper;
-          },
+          "__eq__", [](const Tool& a, const Tool& b) { return a == b; },
           "Whether all its lengths are the same. Raises nothing.")
       .def_readonly("radius", &Tool::radius)
       .def_readonly("flutes", &Tool::flutes)
@@ -94,6 +110,12 @@ void bind_tool(py::module_& m) {
                              "[mm]; so far is the tool's centre above its tip.")
       .def_property_readonly("taper", [](const Tool& t) { return t.taper.radians(); })
       .def_property_readonly("is_ball", &Tool::is_ball)
+      .def_property_readonly("cutting_length", [](const Tool& t) { return t.shaft.cutting_length; })
+      .def_property_readonly("shank_radius", [](const Tool& t) { return t.shaft.shank_radius; })
+      .def_property_readonly("stick_out", [](const Tool& t) { return t.shaft.stick_out; })
+      .def_property_readonly("sections", &section_tuples,
+                             "What is above its end, as (part, from, to, radius_from, radius_to), "
+                             "heights above the tip [mm]; part: 'flute', 'shank' or 'holder'.")
       .def_property_readonly("name", [](const Tool& t) { return name(t.shape()); })
       .def("scallop_height", &scallop_height, py::arg("cross_feed"),
            "Ridge that it leaves on a flat between passes [mm]. Raises InputError naming "

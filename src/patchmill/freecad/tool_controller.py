@@ -33,9 +33,10 @@ def require_ball_end(controller, remedy):
         raise InputError("ToolController", "%s (%s)" % (controller.Label, kind or "unknown kind"), remedy)
 
 
-def cutter(controller):
-    """The _patchmill.Tool of a controller: ball, bull nose, flat or tapered ball end mill. Raises InputError
-    naming ToolController if the bit is none of them, or what its bit says wrongly."""
+def cutter(controller, operation=None):
+    """The _patchmill.Tool of a controller: ball, bull nose, flat or tapered ball end mill, with its shank,
+    and the holder and stick-out that `operation` says (tool_bits.shaft). Raises InputError naming
+    ToolController if the bit is none of them, StickOut, or what its bit says wrongly."""
     require_tool(controller)
     bit, kind = controller.Tool, host.tool_kind(controller.Tool)
     radius, corner, taper = float(bit.Diameter) / 2.0, None, 0.0
@@ -48,15 +49,38 @@ def cutter(controller):
     elif kind != "ballend":
         remedy = "choose a ball, bull nose, flat or tapered ball end mill."
         raise InputError("ToolController", "%s (%s)" % (controller.Label, kind or "unknown kind"), remedy)
-    return core.Tool(radius, flutes(bit), corner, taper)
+    end = radius if corner is None else corner
+    return core.Tool(radius, flutes(bit), corner, taper, **tool_bits.shaft(bit, operation, end))
 
 
-def any_cutter(controller):
+def any_cutter(controller, operation=None):
     """As cutter(); of a bit of another kind a flat end: what is known of it is its tip."""
     require_tool(controller)
-    if is_known(controller.Tool):
-        return cutter(controller)
-    return core.Tool(float(controller.Tool.Diameter) / 2.0, flutes(controller.Tool), 0.0)
+    bit = controller.Tool
+    if is_known(bit):
+        return cutter(controller, operation)
+    return core.Tool(float(bit.Diameter) / 2.0, flutes(bit), 0.0, **tool_bits.shaft(bit, operation))
+
+
+def with_holder(tool, frusta):
+    """A _patchmill.Tool with these (from, to, radius, radius), heights above the tip [mm], in the place of
+    its holder; its shank ends where the lowest of them begins. What is beside its cutting end counts as that:
+    frusta begin at the diameter's height, as for the posture."""
+    lowest = 2.0 * tool.radius
+    holder = [cut for frustum in frusta if (cut := above(frustum, lowest)) is not None]
+    own = {name: getattr(tool, name) for name in ("cutting_length", "shank_radius", "stick_out")}
+    if holder:
+        own["stick_out"] = min(frustum[0] for frustum in holder)
+    return core.Tool(tool.radius, tool.flutes, tool.corner_radius, tool.taper, **own, holder=holder)
+
+
+def above(frustum, height):
+    """The part of a (from, to, radius, radius) above a height; None if there is none."""
+    low, high, r_low, r_high = frustum
+    if high <= height:
+        return None
+    start = max(low, height)
+    return start, high, r_low + (start - low) / (high - low) * (r_high - r_low), r_high
 
 
 def is_known(bit):

@@ -10,7 +10,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.freecad import host
+from patchmill.freecad import host, tool_controller
 from patchmill.modifiers.dcm_input import DcmInput, input_of  # noqa: F401  input_of for macros
 from patchmill.path import base_path, tilted_path
 
@@ -134,11 +134,5 @@ def _check(given):
 def _above_ball(given):
     """The holder's frusta with heights from the ball centre; what is at the ball is left to the path."""
     radius = given.tool.radius  # only a ball end mill is tilted
-    out = []
-    for low, high, r_low, r_high in given.holder:
-        if high <= 2.0 * radius:
-            continue
-        start = max(low, 2.0 * radius)
-        r_start = r_low + (start - low) / (high - low) * (r_high - r_low)
-        out.append((start - radius, high - radius, r_start, r_high))
-    return out
+    kept = [tool_controller.above(frustum, 2.0 * radius) for frustum in given.holder]
+    return [(f[0] - radius, f[1] - radius, f[2], f[3]) for f in kept if f is not None]

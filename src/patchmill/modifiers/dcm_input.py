@@ -58,12 +58,13 @@ def input_of(obj):
         )
     model = removal_model.input_of(obj, job, posture)
     limits = _limits(obj, model)
+    holder = _holder(obj)
     return DcmInput(
         model=model,
         commands=obj.Base.Path.Commands,
         length=obj.Base.Path.Length,
         label=obj.Base.Label,
-        tool=_tool(operation, posture, obj.FeedInAir.Value),
+        tool=_tool(operation, posture, obj.FeedInAir.Value, holder),
         spindle=_spindle(operation),
         feed=feed,
         posture=posture,
@@ -75,7 +76,7 @@ def input_of(obj):
         read_at=obj.ReadAt,
         feed_tolerance=obj.FeedTolerance.Value,
         axis_tolerance=obj.AxisTolerance.Value,
-        holder=_holder(obj),
+        holder=holder,
         clearance=obj.HolderClearance.Value,
         machine=obj.Machine,
         transient=_transient(obj),
@@ -92,14 +93,16 @@ def _operation(obj):
     return obj
 
 
-def _tool(operation, posture, air):
+def _tool(operation, posture, air, holder):
+    """With the dressup's own holder where it has one, else with that of the operation."""
     controller = operation.ToolController
     tool_controller.require_tool(controller)
     if posture:
         remedy = "only a ball end mill can be tilted: choose one, or set Controls to Feed."
         tool_controller.require_ball_end(controller, remedy)
     _require_known_end(operation, air)
-    return tool_controller.any_cutter(controller)
+    tool = tool_controller.any_cutter(controller, operation)
+    return tool_controller.with_holder(tool, holder) if holder else tool
 
 
 def _transient(obj):

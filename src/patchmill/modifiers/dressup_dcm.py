@@ -16,6 +16,7 @@ from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from patchmill.modifiers import dcm
 from patchmill.operations.base import forget_dressups, not_computed
 from patchmill.properties import property_table
+from patchmill.properties.check_properties import POST_GOUGING, gouge_tolerance
 from patchmill.voxels import removal_model
 
 CONTROLS = ["Feed", "Posture", "Feed and posture"]
@@ -79,6 +80,8 @@ PROPERTIES = [
         [],
     ),
     ("App::PropertyLength", "HolderClearance", "Limits", "That is kept between holder and part", 1.0),
+    gouge_tolerance("the tolerance of copy milling under it"),
+    POST_GOUGING,
     ("App::PropertyLength", "Deflection", "Limits", "Of the triangles that stand for the shapes", 0.05),
     ("App::PropertyFloat", "MemoryLimit", "Limits", "For the voxel model and its fields, in MiB", 4096.0),
 ]

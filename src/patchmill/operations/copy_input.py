@@ -54,7 +54,7 @@ class CopyInput:
 
 def input_of(obj):
     """CopyInput of a CopyMilling object. Raises InputError naming the property."""
-    tool, feed, plunge_feed, cutting_edge = _cutting(obj.ToolController)
+    tool, feed, plunge_feed, cutting_edge = _cutting(obj)
     _check(obj, tool)
     job = made_from.job_of(obj)
     faces = _faces(obj, job)
@@ -96,8 +96,9 @@ def _compound(faces):
     return Part.makeCompound(faces).exportBrepToString()
 
 
-def _cutting(controller):
-    tool = tool_controller.cutter(controller)
+def _cutting(obj):
+    controller = obj.ToolController
+    tool = tool_controller.cutter(controller, obj)
     if tool.corner_radius == 0.0:
         remedy = "copy milling takes a ball or bull nose end mill: choose one."
         raise InputError("ToolController", "%s (%s)" % (controller.Label, tool.name), remedy)

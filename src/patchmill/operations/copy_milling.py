@@ -20,6 +20,7 @@ from patchmill.operations.base import BallEndOperation, create, setup_properties
 from patchmill.operations.base import recompute  # noqa: F401  for macros: it returns the ToolPath
 from patchmill.operations.copy_input import MODES, PASSES, UNDERCUTS, CopyInput, input_of
 from patchmill.path.read_text import path_of
+from patchmill.properties.check_properties import CHECK_PROPERTIES, gouge_tolerance
 
 LEAST_HEIGHT = 1e-3  # mm of stock that is looked at, over a face at its top
 NOTHING_THERE = "there is nothing to cut on them, or the ball does not reach them from above."
@@ -32,6 +33,8 @@ PROPERTIES = [
     ("App::PropertyLength", "FinishingRadialDepth", "Copy", "The last pass's; 0: as the others'", 0.0),
     ("App::PropertyLength", "Allowance", "Copy", "Left by roughing for the last pass", 0.0),
     ("App::PropertyLength", "Tolerance", "Copy", "Of the path from the model", 0.01),
+    gouge_tolerance("Tolerance"),
+    *CHECK_PROPERTIES,
 ]
 RESULTS = [
     ("App::PropertyInteger", "Moves", "Result", "Of the path"),

@@ -107,7 +107,7 @@ class ObjectTexture(BallEndOperation):
                 "%g rpm" % speed,
                 "give a whole number greater than zero: posts write S so.",
             )
-        tool = _tool(controller)
+        tool = _tool(controller, obj)
         return TextureInput(
             breps=_face_breps(obj),
             tool=tool,
@@ -177,7 +177,7 @@ def _face_breps(obj):
     return [Part.Compound(found).exportBrepToString() for found in faces.values()]
 
 
-def _tool(controller):
+def _tool(controller, obj):
     tool_controller.require_ball_end(controller, "textures are milled with a ball end mill: choose one.")
     tool_controller.require_flutes(controller)
-    return tool_controller.cutter(controller)
+    return tool_controller.cutter(controller, obj)

@@ -101,9 +101,13 @@ def _read_back(ready, text):
     dialect = own.dialect if own else "linuxcnc"
     known = kept_words.of_machine(program_header.machine_of(objects), arguments)
     posted = posted_job.read_back(text, objects, dialect, half_unit, known, own is not None)
+    milled: list = []
     for one in posted:
         if isinstance(one, PostedTexture):
             one.check = checks.require_clear(one.operation, one.path, one.unplaced, blind=one.blind)
+        elif one.operation not in milled and posted_milling.is_milling(one.operation):
+            milled.append(one.operation)  # of several copies one
+            one.check = checks.require_clear(one.operation)
     return posted
 
 

@@ -7,6 +7,7 @@ import _patchmill as core
 import FreeCAD
 
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
+from patchmill.properties.check_properties import CHECK_PROPERTIES
 from patchmill.properties.row_properties import ROW_PROPERTIES
 from patchmill.textures import strategies
 
@@ -216,41 +217,7 @@ PROPERTIES = [
         "Ball and flutes may cut so deep below the model, besides the texture itself",
         0.01,
     ),
-    (
-        "App::PropertyLength",
-        "ToolClearance",
-        "Checks",
-        "Shank and holder must keep so far away from the model",
-        0.1,
-    ),
-    (
-        "App::PropertyLength",
-        "StickOut",
-        "Checks",
-        "How far the tool stands out of its holder; 0: the tool bit's length",
-        0.0,
-    ),
-    (
-        "App::PropertyLength",
-        "HolderDiameter",
-        "Checks",
-        "Diameter of the holder, for the collision check; 0: no holder",
-        40.0,
-    ),
-    (
-        "App::PropertyLength",
-        "HolderLength",
-        "Checks",
-        "Length of the holder, for the collision check",
-        60.0,
-    ),
-    (
-        "App::PropertyBool",
-        "PostGouging",
-        "Checks",
-        "Post even if the tool gouges or collides, or if that is not known",
-        False,
-    ),
+    *CHECK_PROPERTIES,
     *AXIS_PROPERTIES,
     ("App::PropertyLength", "Lift", "Phase", "Clearance of paced paths between rows", 0.1),
     ("App::PropertyBool", "SameFlute", "Phase", "One flute makes all dimples", True),

@@ -33,6 +33,7 @@ class PostedMilling:
     moves: int = 0  # read back
     unknown: str = ""  # why it was not read back, or ''
     offset: str = ""  # work offset of this copy
+    check: object = None  # the checks.CheckResult of gouge and collision, at the first copy of what is ours
 
 
 def with_those_under(op):

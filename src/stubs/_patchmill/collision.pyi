@@ -44,8 +44,8 @@ class Tessellation:
         """[mm], (n, 3)."""
         ...
 
-def check_clearance(path: _patchmill.path.ToolPath, sections: list[tuple[str, float, float, float, float]], part: PartModel, tolerance: float, clearance: float, resolution: float, most_findings: int = 1000, first_move: int = 0, progress: object = None) -> dict[str, typing.Any]:
-    """Gouges and collisions of a path: outcome 'clear', 'violated' or 'unknown', and arrays. `sections`: (part, from, to, radius_from, radius_to) above the tip [mm]. Raises InputError naming ToolSection, Tolerance, Clearance or Resolution."""
+def check_clearance(path: _patchmill.path.ToolPath, part: PartModel, tolerance: float, clearance: float, resolution: float, most_findings: int = 1000, first_move: int = 0, cutting: bool = True, progress: object = None) -> dict[str, typing.Any]:
+    """Gouges and collisions of a path with its tool: outcome 'clear', 'violated' or 'unknown', and arrays. `cutting`: whether its end and flutes are looked at, too. Raises InputError naming Tolerance, Clearance or Resolution."""
     ...
 def part_model(breps: list[str], deflection: float) -> PartModel:
     """Meshes the solids of shapes given as BREP texts. Raises InputError naming Model or Deflection."""

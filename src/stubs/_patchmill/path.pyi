@@ -39,16 +39,19 @@ class Spindle:
         ...
 
 class Tool:
-    """A cutter: radius [mm], > 0; flutes, 1 to 32; radius of its corner [mm], 0 (flat) to the radius (a ball, as without one); angle between flank and axis [rad]. Raises InputError naming BallRadius, Flutes, CornerRadius or TaperAngle."""
+    """A cutter: radius [mm], > 0; flutes, 1 to 32; radius of its corner [mm], 0 (flat) to the radius (a ball, as without one); angle between flank and axis [rad]. Above its end, 0 where it is not known [mm]: the height to which its edges go, the radius of its shank, how far it stands out of its holder; the holder as (from, to, radius_from, radius_to), heights above the tip. Raises InputError naming BallRadius, Flutes, CornerRadius, TaperAngle, CuttingLength, ShankRadius, StickOut or ToolSection."""
     def __eq__(self, other: object) -> bool:
         """Whether all its lengths are the same. Raises nothing."""
         ...
-    def __init__(self, radius: float, flutes: int, corner_radius: typing.Optional[float] = None, taper: float = 0.0) -> None:
-        """Lengths in mm, `taper` [rad]. Raises InputError naming BallRadius, Flutes, CornerRadius or TaperAngle."""
+    def __init__(self, radius: float, flutes: int, corner_radius: typing.Optional[float] = None, taper: float = 0.0, cutting_length: float = 0.0, shank_radius: float = 0.0, stick_out: float = 0.0, holder: list[tuple[float, float, float, float]] = ...) -> None:
+        """Lengths in mm, `taper` [rad]. Raises InputError naming BallRadius, Flutes, CornerRadius, TaperAngle, CuttingLength, ShankRadius, StickOut or ToolSection."""
         ...
     @property
     def corner_radius(self) -> float:
         """[mm]; so far is the tool's centre above its tip."""
+        ...
+    @property
+    def cutting_length(self) -> float:
         ...
     @property
     def flutes(self) -> int:
@@ -64,6 +67,16 @@ class Tool:
         ...
     def scallop_height(self, cross_feed: float) -> float:
         """Ridge that it leaves on a flat between passes [mm]. Raises InputError naming CrossFeed."""
+        ...
+    @property
+    def sections(self) -> list[tuple[str, float, float, float, float]]:
+        """What is above its end, as (part, from, to, radius_from, radius_to), heights above the tip [mm]; part: 'flute', 'shank' or 'holder'."""
+        ...
+    @property
+    def shank_radius(self) -> float:
+        ...
+    @property
+    def stick_out(self) -> float:
         ...
     @property
     def taper(self) -> float:

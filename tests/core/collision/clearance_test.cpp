@@ -27,14 +27,14 @@ ToolPath path_of_balls(const std::vector<Vec3>& centres, const Vec3& axis = kAxi
 }
 
 TEST(Clearance, TouchingPathIsClear) {
-  const auto report = check_clearance(path_of_balls({{0, 0, 3}, {0, 0, 1}, {0.5, 0, 1}, {5, 0, 4}}),
-                                      {}, kHalfSpace);
+  const auto report =
+      check_sections(path_of_balls({{0, 0, 3}, {0, 0, 1}, {0.5, 0, 1}, {5, 0, 4}}), {}, kHalfSpace);
   EXPECT_EQ(report.outcome, ClearanceOutcome::Clear);
 }
 
 TEST(Clearance, GougeHasPlaceAndDepth) {
   const auto report =
-      check_clearance(path_of_balls({{0, 0, 3}, {2, 0, 0.95}, {4, 0, 3}}), {}, kHalfSpace);
+      check_sections(path_of_balls({{0, 0, 3}, {2, 0, 0.95}, {4, 0, 3}}), {}, kHalfSpace);
   ASSERT_EQ(report.outcome, ClearanceOutcome::Violated);
   ASSERT_EQ(report.findings.size(), 2u);  // the end of one move and the start of the next
   EXPECT_EQ(report.findings[0].part, ToolPart::Ball);
@@ -51,7 +51,7 @@ TEST(Clearance, LinksAreCheckedOnTheirWay) {
   ToolPath path = path_of_balls({{0, 0, 0.9}, {10, 0, 0.9}});
   path.moves[0].kind = MoveKind::Rapid;
   path.moves[0].turns = kUnknownTurns;
-  const auto report = check_clearance(path, {}, distance);
+  const auto report = check_sections(path, {}, distance);
   ASSERT_EQ(report.findings.size(), 1u);
   EXPECT_NEAR(report.findings[0].depth, 1.0 + 0.05 - 0.9 - 0.002, 1e-3);
   EXPECT_NEAR(report.findings[0].share, 0.53, 1e-3);
@@ -62,8 +62,7 @@ TEST(Clearance, HolderCollidesWhereTheShankDoesNot) {
                                          {ToolPart::Holder, 20.0, 60.0, 15.0, 20.0}};
   // tilted by 60 degrees: the holder's lower edge is at z = 20 cos 60 - 15 sin 60 < 0
   const Vec3 flat(std::sin(kPi / 3), 0.0, std::cos(kPi / 3));
-  const auto report =
-      check_clearance(path_of_balls({{0, 0, 9}, {0, 0, 1}}, flat), tool, kHalfSpace);
+  const auto report = check_sections(path_of_balls({{0, 0, 9}, {0, 0, 1}}, flat), tool, kHalfSpace);
   ASSERT_EQ(report.findings.size(), 1u);
   EXPECT_EQ(report.findings[0].part, ToolPart::Holder);
   const double tip = 1 - std::cos(kPi / 3);
@@ -71,7 +70,7 @@ TEST(Clearance, HolderCollidesWhereTheShankDoesNot) {
   const double top = tip + 60 * std::cos(kPi / 3) - 20 * std::sin(kPi / 3);
   EXPECT_NEAR(report.findings[0].depth, 0.1 - std::min(lowest, top), 0.02 * 2.6);
   EXPECT_NEAR(report.findings[0].place.z(), lowest, 0.02 * 2.6);
-  EXPECT_EQ(check_clearance(path_of_balls({{0, 0, 9}, {0, 0, 1}}), tool, kHalfSpace).outcome,
+  EXPECT_EQ(check_sections(path_of_balls({{0, 0, 9}, {0, 0, 1}}), tool, kHalfSpace).outcome,
             ClearanceOutcome::Clear);
 }
 
@@ -79,27 +78,27 @@ TEST(Clearance, HolderCollidesWhereTheShankDoesNot) {
 TEST(Clearance, UprightHolderMayComeNear) {
   const std::vector<ToolSection> tool = {{ToolPart::Holder, 10.0, 30.0, 15.0, 15.0}};
   const auto path = path_of_balls({{0, 0, 1}, {3, 0, 1}}, Vec3::UnitZ());
-  EXPECT_EQ(check_clearance(path, tool, kHalfSpace).outcome, ClearanceOutcome::Clear);
+  EXPECT_EQ(check_sections(path, tool, kHalfSpace).outcome, ClearanceOutcome::Clear);
   const PartDistance wall = [](const Vec3& p) { return std::min(p.z(), 12.0 - p.x()); };
-  const auto report = check_clearance(path, tool, wall);
+  const auto report = check_sections(path, tool, wall);
   ASSERT_EQ(report.findings.size(), 1u);
   EXPECT_NEAR(report.findings[0].depth, 15.0 + 3.0 - 12.0 + 0.1, 0.02 * 6.1);
 }
 
 TEST(Clearance, UnknownIsNotAPass) {
   const auto path = path_of_balls({{0, 0, 3}, {5, 0, 3}});
-  const auto none = check_clearance(path, {}, {});
+  const auto none = check_sections(path, {}, {});
   EXPECT_EQ(none.outcome, ClearanceOutcome::Unknown);
   EXPECT_FALSE(none.reason.empty());
   const PartDistance hole = [](const Vec3& p) {
     return p.x() > 4.0 ? std::numeric_limits<double>::quiet_NaN() : p.z();
   };
-  const auto partly = check_clearance(path, {}, hole);
+  const auto partly = check_sections(path, {}, hole);
   EXPECT_EQ(partly.outcome, ClearanceOutcome::Unknown);
   EXPECT_EQ(partly.unknown_moves, 1);
-  EXPECT_EQ(check_clearance(path, {}, kHalfSpace, {}, [](double) { return false; }).outcome,
+  EXPECT_EQ(check_sections(path, {}, kHalfSpace, {}, [](double) { return false; }).outcome,
             ClearanceOutcome::Unknown);
-  EXPECT_EQ(check_clearance(path, {}, distance_from_points({}, 0.1)).outcome,
+  EXPECT_EQ(check_sections(path, {}, distance_from_points({}, 0.1)).outcome,
             ClearanceOutcome::Unknown);
 }
 
@@ -139,8 +138,8 @@ RC_GTEST_PROP(PointDistance, IsNeverMoreThanTheTrueOneOutside,
 
 TEST(PointDistance, GougeInAPointCloud) {
   const PartDistance distance = distance_from_points(plane_points(0.25), 0.25 * std::sqrt(2.0));
-  const auto report = check_clearance(path_of_balls({{2, 2, 4}, {5, 5, 0.9}}), {}, distance,
-                                      {0.01, 0.1, 0.001, 10});
+  const auto report =
+      check_sections(path_of_balls({{2, 2, 4}, {5, 5, 0.9}}), {}, distance, {0.01, 0.1, 0.001, 10});
   ASSERT_EQ(report.outcome, ClearanceOutcome::Violated);
   EXPECT_NEAR(report.findings[0].depth, 0.09, 0.01);
   EXPECT_TRUE(std::isnan(distance_from_points(plane_points(0.25), 0.36, 1.0)({5, 5, 3})));
@@ -151,9 +150,9 @@ TEST(Clearance, NothingLookedAtIsNoPass) {
   const ToolPath path = path_of_balls({{2, 2, 4}, {5, 5, 4}});
   ClearanceOptions options;
   options.first_move = path.moves.size() - 1;
-  EXPECT_EQ(check_clearance(path, {}, far_away, options).outcome, ClearanceOutcome::Clear);
+  EXPECT_EQ(check_sections(path, {}, far_away, options).outcome, ClearanceOutcome::Clear);
   options.first_move = path.moves.size();
-  const auto report = check_clearance(path, {}, far_away, options);
+  const auto report = check_sections(path, {}, far_away, options);
   EXPECT_EQ(report.outcome, ClearanceOutcome::Unknown);
   EXPECT_FALSE(report.reason.empty());
 }

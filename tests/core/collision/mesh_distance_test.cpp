@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/collision/mesh_distance.h"
 
+#include "patchmill/collision/frustum.h"
 #include "patchmill/geometry/error.h"
 
 #include <gtest/gtest.h>
@@ -116,9 +117,8 @@ TEST(SectionDistance, IsTheLeastOverTheMesh) {
 // Flat meets flat: nothing to search.
 TEST(SectionDistance, HolderComingDownOnAFlatPart) {
   const ToolSection holder{ToolPart::Holder, 25.0, 60.0, 20.0, 20.0};
-  const auto report =
-      check_clearance(path_through({{0, 0, 40}, {0, 0, -25.2}}), {holder},
-                      shape_from_mesh(mesh::box_mesh({-20, -20, -60}, {20, 20, 0})));
+  const auto report = check_sections(path_through({{0, 0, 40}, {0, 0, -25.2}}), {holder},
+                                     shape_from_mesh(mesh::box_mesh({-20, -20, -60}, {20, 20, 0})));
   ASSERT_EQ(report.outcome, ClearanceOutcome::Violated);
   double worst = 0.0;
   for (const auto& f : report.findings)
@@ -142,10 +142,10 @@ TEST(MeshDistance, FlutesMayTouchAWallThatShankAndHolderMayNot) {
   const PartShape part = block_with_wall();
   // the flutes' cylinder touches the wall over two millimetres; the shank would stand 0.5 in it
   const auto clear =
-      check_clearance(path_through({{0, 0, 40}, {9, 0, 40}, {9, 0, 27}}), kTool, part, kRough);
+      check_sections(path_through({{0, 0, 40}, {9, 0, 40}, {9, 0, 27}}), kTool, part, kRough);
   EXPECT_EQ(clear.outcome, ClearanceOutcome::Clear);
   const auto shank =
-      check_clearance(path_through({{9, 0, 23}, {9, 0, 21.5}}), {kTool[0], kTool[1]}, part, kRough);
+      check_sections(path_through({{9, 0, 23}, {9, 0, 21.5}}), {kTool[0], kTool[1]}, part, kRough);
   ASSERT_EQ(shank.outcome, ClearanceOutcome::Violated);
   for (const auto& f : shank.findings) EXPECT_EQ(f.part, ToolPart::Shank);
   EXPECT_NEAR(shank.findings[0].depth, 0.5 + 0.1, 0.02 * 0.6 + 0.001);
@@ -153,7 +153,7 @@ TEST(MeshDistance, FlutesMayTouchAWallThatShankAndHolderMayNot) {
   EXPECT_TRUE(at.x() > 10.0 - 1e-6 && at.x() < 10.5 + 1e-6) << at;
   EXPECT_TRUE(at.z() > 29.5 - 1e-6 && at.z() < 30.0 + 1e-6) << at;
   const auto holder =
-      check_clearance(path_through({{0, 0, 20}, {0, 0, 0}}), {kTool[2]}, part, kRough);
+      check_sections(path_through({{0, 0, 20}, {0, 0, 0}}), {kTool[2]}, part, kRough);
   ASSERT_EQ(holder.outcome, ClearanceOutcome::Violated);
   EXPECT_EQ(holder.findings[0].part, ToolPart::Holder);
   EXPECT_GT(holder.findings[0].place.x(), 10.0 - 1e-6);  // on the wall, above the block
@@ -165,7 +165,7 @@ TEST(MeshDistance, FlutesMayTouchAWallThatShankAndHolderMayNot) {
 
 TEST(MeshDistance, FlutesThatSinkIntoAWallAreFound) {
   const auto report =
-      check_clearance(path_through({{0, 0, 1}, {9.2, 0, 1}}), {kTool[0]}, block_with_wall());
+      check_sections(path_through({{0, 0, 1}, {9.2, 0, 1}}), {kTool[0]}, block_with_wall());
   ASSERT_EQ(report.outcome, ClearanceOutcome::Violated);
   bool flute = false;
   for (const auto& f : report.findings)

@@ -133,9 +133,9 @@ TEST(Sweep, ChecksFindWhatStepsFind) {
     PartShape part = shape_from_mesh(rough_block(random, n, k % 3 == 0 ? 0.0 : 2.0));
     const Tool tool = k % 4 == 3 ? Tool{0.8, 2, 0.2} : Tool{0.8, 2};
     const ToolPath path = random_path(random, n, tool);
-    const auto swept = depths(check_clearance(path, kTool, part, kOptions), path.moves.size());
+    const auto swept = depths(check_sections(path, kTool, part, kOptions), path.moves.size());
     part = without_sweeps(part);
-    const auto stepped = depths(check_clearance(path, kTool, part, kOptions), path.moves.size());
+    const auto stepped = depths(check_sections(path, kTool, part, kOptions), path.moves.size());
     for (std::size_t i = 0; i < swept.size(); ++i) {
       const bool bad = stepped[i] > 0.0;
       (bad ? violated : clear) += 1;
@@ -189,7 +189,7 @@ TEST(Sweep, AGougeTakesNoMoreDistancesThanTwiceAClearPath) {
   const PartShape part = shape_from_mesh(rough_block(random, 8, 0.0));
   const auto asked = [&](double height, ClearanceOutcome outcome) {
     const auto count = std::make_shared<std::atomic<long>>(0);
-    EXPECT_EQ(check_clearance(gliding(height), {kTool[0]}, counted(part, count), kOptions).outcome,
+    EXPECT_EQ(check_sections(gliding(height), {kTool[0]}, counted(part, count), kOptions).outcome,
               outcome);
     return count->load();
   };
@@ -205,7 +205,7 @@ TEST(Sweep, NoMoveIsBegunAfterAStop) {
   const ToolPath path = gliding(-0.1);
   for (const int after : {1, 7, 50, 150}) {
     int told = 0;
-    const auto report = check_clearance(path, kTool, part, kOptions, [&](double share) {
+    const auto report = check_sections(path, kTool, part, kOptions, [&](double share) {
       EXPECT_NEAR(share, (told + 1) / 200.0, 1e-12);
       return ++told < after;
     });

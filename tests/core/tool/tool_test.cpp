@@ -121,5 +121,69 @@ TEST(Tool, WhatIsNoBallIsRefusedByItsName) {
   }
 }
 
+TEST(Tool, IsMadeOfEdgesShankAndHolder) {
+  Tool tool{3.0, 2};
+  EXPECT_TRUE(tool.sections().empty());  // nothing is known of it
+  tool.shaft = {12.0, 4.0, 40.0, {{40.0, 60.0, 10.0, 20.0}}};
+  const auto all = tool.sections();
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].part, ToolPart::Flute);
+  EXPECT_TRUE(all[0].frustum() == (Frustum{3.0, 12.0, 3.0, 3.0}));
+  EXPECT_EQ(all[1].part, ToolPart::Shank);
+  EXPECT_TRUE(all[1].frustum() == (Frustum{12.0, 40.0, 4.0, 4.0}));
+  EXPECT_EQ(all[2].part, ToolPart::Holder);
+  EXPECT_TRUE(all[2].frustum() == (Frustum{40.0, 60.0, 10.0, 20.0}));
+}
+
+TEST(Tool, EdgesThatGoIntoTheHolderLeaveNoShank) {
+  Tool tool{3.0, 2, 0.0};
+  tool.shaft = {50.0, 3.0, 20.0, {}};
+  const auto all = tool.sections();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].from, 0.0);  // of a flat end from the tip on
+  EXPECT_EQ(all[0].to, 20.0);
+}
+
+TEST(Tool, EdgesOfATaperedBallGoAlongItsFlank) {
+  Tool tool = tapered(2.0, 30.0);
+  tool.shaft.cutting_length = 11.0;
+  const ToolSection flute = tool.sections().at(0);
+  EXPECT_NEAR(flute.from, 1.0, 1e-12);
+  EXPECT_NEAR(flute.radius_from, std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(flute.radius_to, std::sqrt(3.0) + 10.0 * std::tan(kPi / 6), 1e-12);
+  EXPECT_NEAR(tool.height_at(flute.radius_to), flute.to, 1e-12);
+}
+
+TEST(Tool, TheCuttingEndIsAsHighAsABall) {
+  for (const double corner : {0.0, 0.5, 2.9}) {
+    const Frustum end = bull_nose(3.0, corner).end_core();
+    EXPECT_EQ(end.from, corner);
+    EXPECT_EQ(end.to, 3.0);
+    EXPECT_EQ(end.radius_to, 3.0 - corner);
+  }
+  Tool low = bull_nose(3.0, 0.5);
+  low.shaft.cutting_length = 2.0;  // its corner is above it, too
+  EXPECT_EQ(low.end_core().to, 1.5);
+}
+
+TEST(Tool, WrongShaftsAreRefusedByName) {
+  const auto refused = [](const Shaft& shaft) {
+    Tool tool{3.0, 2};
+    tool.shaft = shaft;
+    try {
+      require_valid(tool);
+    } catch (const InputError& error) {
+      return error.property();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused({10.0, 3.0, 30.0, {{30.0, 60.0, 10.0, 0.0}}}), "");
+  EXPECT_EQ(refused({-1.0, 3.0, 30.0, {}}), "CuttingLength");
+  EXPECT_EQ(refused({10.0, -3.0, 30.0, {}}), "ShankRadius");
+  EXPECT_EQ(refused({10.0, 3.0, -30.0, {}}), "StickOut");
+  EXPECT_EQ(refused({10.0, 3.0, 30.0, {{60.0, 30.0, 10.0, 10.0}}}), "ToolSection");
+  EXPECT_EQ(refused({10.0, 3.0, 30.0, {{30.0, 60.0, 10.0, -1.0}}}), "ToolSection");
+}
+
 }  // namespace
 }  // namespace patchmill

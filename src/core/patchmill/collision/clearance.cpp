@@ -22,17 +22,7 @@ void require_valid(const ToolPath& path, const std::vector<ToolSection>& section
   require_in_range("Tolerance", options.tolerance, 0.0, 1e6, "mm");
   require_in_range("Clearance", options.clearance, 0.0, 1e6, "mm");
   require_in_range("Resolution", options.resolution, 1e-6, 1e6, "mm");
-  const double most = 1e6;
-  for (const ToolSection& s : sections)
-    if (!(s.from >= 0.0 && s.from < s.to && s.to <= most) ||
-        !(std::min(s.radius_from, s.radius_to) >= 0.0) || !(s.radius_from <= most) ||
-        !(s.radius_to <= most))
-      throw InputError(
-          "ToolSection",
-          fmt::format("{} from {} to {} mm, radii {} and {} mm", name(s.part), s.from, s.to,
-                      s.radius_from, s.radius_to),
-          "a section goes upward from 0 or more, has radii of 0 or more, and all are at "
-          "most 1e6 mm.");
+  for (const ToolSection& section : sections) require_valid(section);
 }
 
 // Moves of a path one after another. `looked_at` is called after each, and says whether to go on.
@@ -44,8 +34,9 @@ void check_moves(const ToolPath& path, const std::vector<ToolSection>& sections,
   for (std::size_t i = from; i < to && report.findings.size() < options.most_findings; ++i) {
     const Swing swing(i > 0 ? path.moves[i - 1].end : path.start, path.moves[i].end);
     const auto number = static_cast<std::int64_t>(i);
-    checker.end(number, swing);
-    for (const ToolSection& piece : sections) checker.section(number, swing, piece);
+    if (options.cutting) checker.end(number, swing);
+    for (const ToolSection& piece : sections)
+      if (options.cutting || !cuts(piece.part)) checker.section(number, swing, piece);
     if (!looked_at()) return;
   }
 }
@@ -82,24 +73,14 @@ void sharpen_deepest(const ToolPath& path, const std::vector<ToolSection>& secti
 
 }  // namespace
 
-const char* name(ToolPart part) {
-  switch (part) {
-    case ToolPart::Ball:
-      return "ball";
-    case ToolPart::End:
-      return "cutting end";
-    case ToolPart::Flute:
-      return "flute";
-    case ToolPart::Shank:
-      return "shank";
-    default:
-      return "holder";
-  }
+ClearanceReport check_clearance(const ToolPath& path, const PartShape& part,
+                                const ClearanceOptions& options, const Progress& progress) {
+  return check_sections(path, path.tool.sections(), part, options, progress);
 }
 
-ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSection>& sections,
-                                const PartShape& part, const ClearanceOptions& options,
-                                const Progress& progress) {
+ClearanceReport check_sections(const ToolPath& path, const std::vector<ToolSection>& sections,
+                               const PartShape& part, const ClearanceOptions& options,
+                               const Progress& progress) {
   require_valid(path, sections, options);
   ClearanceReport report;
   if (!part.distance) report.reason = "There is no shape of the part to measure distances from.";

@@ -20,24 +20,6 @@ namespace patchmill::collision {
 /// threads at once.
 using PartDistance = std::function<double(const Vec3&)>;
 
-enum class ToolPart : std::uint8_t {
-  Ball,
-  End,    ///< of a cutter that is no ball end mill: cuts as a ball does
-  Flute,  ///< the cutting cylinder above ball or end: cuts as they do
-  Shank,
-  Holder
-};
-const char* name(ToolPart part);
-
-/// A piece of the tool above the ball: a frustum about the tool axis.
-struct ToolSection {
-  ToolPart part = ToolPart::Shank;
-  double from = 0.0, to = 0.0;                ///< heights above the tip [mm], 0 <= from < to <= 1e6
-  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e6
-
-  Frustum frustum() const { return {from, to, radius_from, radius_to}; }
-};
-
 /// How near a section comes to the part, negative by how deep the part reaches into it, and where [mm].
 struct SectionDistance {
   double distance = std::numeric_limits<double>::infinity();
@@ -63,10 +45,12 @@ struct PartShape {
       swept;
 
   PartShape() = default;
+  /// A part of which only the distance of points is known.
   template <class Distance>
   PartShape(Distance known) : distance(std::move(known)) {}  // NOLINT: a distance is a shape
 };
 
+/// What is allowed, and how closely it is looked at.
 struct ClearanceOptions {
   double tolerance = 0.002;  ///< ball and flutes may go so deep below the part's surface [mm]
   double clearance = 0.1;    ///< shank and holder must keep so far away from it [mm]
@@ -74,8 +58,10 @@ struct ClearanceOptions {
       0.001;  ///< what is deeper than allowed by more than this is surely found [mm]
   std::size_t most_findings = 1000;  ///< after so many, the check stops
   std::size_t first_move = 0;        ///< moves before it start nobody knows where and are left out
+  bool cutting = true;  ///< look at the cutting end and flutes too, not at shank and holder only
 };
 
+/// One stretch of a move that comes too near, at its worst place.
 struct ClearanceFinding {
   ToolPart part = ToolPart::Ball;
   std::int64_t move = 0;      ///< number of the move in the path
@@ -91,6 +77,7 @@ enum class ClearanceOutcome : std::uint8_t {
   Unknown  ///< the distance was not known at some place, or the check was stopped: not a pass
 };
 
+/// What a check found.
 struct ClearanceReport {
   ClearanceOutcome outcome = ClearanceOutcome::Unknown;
   std::vector<ClearanceFinding>
@@ -99,11 +86,17 @@ struct ClearanceReport {
   std::string reason;              ///< why Unknown, a sentence
 };
 
-/// Checks every move from its start to its end on a straight line of the tip, the axis turning
-/// evenly. A part without a distance, or a first move beyond the last one: Unknown. Errors: InputError naming BallRadius, Tolerance or Clearance
-/// (0 .. 1e6 mm), Resolution (1e-6 .. 1e6 mm), or ToolSection (out of its ranges).
-ClearanceReport check_clearance(const ToolPath& path, const std::vector<ToolSection>& sections,
-                                const PartShape& part, const ClearanceOptions& options = {},
+/// Checks the path's tool with all its sections on every move, from its start to its end on a straight line of the
+/// tip, the axis turning evenly. A part without a distance, or a first move beyond the last one: Unknown. Errors:
+/// InputError naming BallRadius, Tolerance or Clearance (0 .. 1e6 mm), Resolution (1e-6 .. 1e6 mm), or what
+/// require_valid(Tool) names.
+ClearanceReport check_clearance(const ToolPath& path, const PartShape& part,
+                                const ClearanceOptions& options = {},
                                 const Progress& progress = {});
+
+/// The same with `sections` in the place of the tool's own. Errors: also InputError naming ToolSection.
+ClearanceReport check_sections(const ToolPath& path, const std::vector<ToolSection>& sections,
+                               const PartShape& part, const ClearanceOptions& options = {},
+                               const Progress& progress = {});
 
 }  // namespace patchmill::collision

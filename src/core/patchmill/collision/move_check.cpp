@@ -12,7 +12,7 @@
 namespace patchmill::collision {
 namespace {
 
-constexpr double kDisc = 1e-6;  // thickness of the disc in the end of a cutter that is no ball [mm]
+constexpr double kDisc = 1e-6;  // least height of a frustum [mm]
 constexpr double kWithin =
     0.1;  // fraction of a depth, and of the resolution, to which they are found
 
@@ -42,8 +42,7 @@ struct MoveCheck::Sweep {
 MoveCheck::Piece MoveCheck::piece_of(const ToolSection& section, double around) const {
   const double reach =
       std::hypot(section.to, std::max(section.radius_from, section.radius_to)) + around;
-  const bool cuts = section.part != ToolPart::Shank && section.part != ToolPart::Holder;
-  return {section, around, reach, cuts ? options_.tolerance : -options_.clearance};
+  return {section, around, reach, cuts(section.part) ? options_.tolerance : -options_.clearance};
 }
 
 void MoveCheck::end(std::int64_t number, const Swing& swing) {
@@ -52,9 +51,9 @@ void MoveCheck::end(std::int64_t number, const Swing& swing) {
     check(number, swing, piece_of({ToolPart::Ball, 0.0, 0.0, 0.0, 0.0}, r));
     return;
   }
-  const Frustum disc = tool_.core(r + kDisc);
+  const Frustum core = tool_.end_core();
   check(number, swing,
-        piece_of({ToolPart::End, disc.from, disc.to, disc.radius_from, disc.radius_to}, r));
+        piece_of({ToolPart::End, core.from, core.to, core.radius_from, core.radius_to}, r));
 }
 
 void MoveCheck::section(std::int64_t number, const Swing& swing, const ToolSection& section) {

@@ -29,7 +29,7 @@ class MoveCheck {
             ClearanceReport& report)
       : tool_(tool), part_(part), options_(options), report_(report) {}
 
-  /// The ball, or all points within the corner's radius of a disc, the lower end of the cutter's core.
+  /// The ball, or all points within the corner's radius of the core of the cutting end.
   void end(std::int64_t number, const Swing& swing);
   void section(std::int64_t number, const Swing& swing, const ToolSection& section);
 

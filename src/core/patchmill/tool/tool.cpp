@@ -64,6 +64,34 @@ Frustum Tool::core(double height) const {
   return {r, to, radius - r, radius - r + (to - r) * std::tan(taper.radians())};
 }
 
+Frustum Tool::end_core() const {
+  constexpr double kDisc = 1e-6;  // thickness of a core that has no height [mm]
+  const double edges = shaft.cutting_length > 0.0 ? shaft.cutting_length - corner() : radius;
+  return core(std::max(corner() + kDisc, std::min(radius, edges)));
+}
+
+std::vector<ToolSection> Tool::sections() const {
+  std::vector<ToolSection> out;
+  const double r = corner(), a = taper.radians(), slant = std::tan(a);
+  const double begin = r * (1.0 - std::sin(a)),
+               width = radius - r + r * std::cos(a);  // of the flank
+  const double out_of_holder = shaft.stick_out > 0.0 ? shaft.stick_out : kInfinite;
+  const double edges = std::max(begin, std::min(shaft.cutting_length, out_of_holder));
+  if (edges > begin)
+    out.push_back({ToolPart::Flute, begin, edges, width, width + (edges - begin) * slant});
+  if (shaft.stick_out > edges && shaft.shank_radius > 0.0)
+    out.push_back(
+        {ToolPart::Shank, edges, shaft.stick_out, shaft.shank_radius, shaft.shank_radius});
+  for (const Frustum& f : shaft.holder)
+    out.push_back({ToolPart::Holder, f.from, f.to, f.radius_from, f.radius_to});
+  return out;
+}
+
+bool operator==(const Tool& a, const Tool& b) {
+  return a.radius == b.radius && a.flutes == b.flutes && a.corner() == b.corner() &&
+         a.taper == b.taper && a.shaft == b.shaft;
+}
+
 void require_valid(const Tool& tool) {
   require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
   require_in_range("CornerRadius", tool.corner(), 0.0, tool.radius, "mm");
@@ -71,6 +99,7 @@ void require_valid(const Tool& tool) {
   if (tool.taper.radians() > 0.0 && tool.corner() < tool.radius)
     throw InputError("TaperAngle", fmt::format("{:.6g} degrees", tool.taper.degrees()),
                      "give 0 for a tool that does not end in a ball.");
+  require_valid(tool.shaft);
 }
 
 void require_ball(const Tool& tool, const char* work) {

@@ -9,33 +9,30 @@
 #pragma once
 
 #include "patchmill/geometry/angle.h"
-#include "patchmill/geometry/vec.h"
+#include "patchmill/tool/shaft.h"
 
-#include <cstdint>
 #include <optional>
 
 namespace patchmill {
-
-/// A frustum about an axis.
-struct Frustum {
-  double from = 0.0, to = 0.0;  ///< heights along the axis [mm], from < to, <= 1e4 long
-  double radius_from = 0.0, radius_to = 0.0;  ///< [mm], 0 .. 1e4
-};
 
 enum class CutterShape : std::uint8_t { Ball, BullNose, Flat, TaperedBall };
 
 /// "ball end mill", "bull nose end mill", "flat end mill", "tapered ball end mill".
 const char* name(CutterShape shape);
 
+/// A cutter with all that is above it.
 struct Tool {
   double radius = 0.0;  ///< R [mm], > 0: of the cutting end; of a tapered ball the ball's
   int flutes = 0;       ///< N
   std::optional<double> corner_radius = std::nullopt;  ///< r [mm], 0 .. R; not given: R
   Angle taper = {};  ///< between flank and axis, in [0, 60] degrees; with r = R only
+  Shaft shaft = {};  ///< what is above the cutting end
 
   /// Radius r of the corner [mm]: how far the tool's centre is above its tip.
   double corner() const { return corner_radius.value_or(radius); }
+  /// Whether it is a ball end mill, without a taper.
   bool is_ball() const { return corner() == radius && taper.radians() == 0.0; }
+  /// Its kind, from its radii and taper.
   CutterShape shape() const;
 
   /// Height above the tip of the cutting surface at `distance` from the axis [mm]; infinite where it does not reach
@@ -49,9 +46,17 @@ struct Tool {
 
   /// The core of the cutting part up to `height` above the tip [mm]; the cutter is all points within corner() of it.
   Frustum core(double height) const;
+
+  /// Core of the cutting end as checks take it: up to the height R, as a ball's, or as far as it has edges.
+  Frustum end_core() const;
+  /// All that is above the cutting end, from below to above: edges, shank and holder as far as they are known.
+  std::vector<ToolSection> sections() const;
 };
 
-/// Errors: InputError naming ToolDiameter, CornerRadius or TaperAngle.
+/// Whether two tools are the same in all; a corner that is not given is that of a ball.
+bool operator==(const Tool& a, const Tool& b);
+
+/// Errors: InputError naming ToolDiameter, CornerRadius or TaperAngle, or what require_valid(Shaft) names.
 void require_valid(const Tool& tool);
 
 /// Refuses what is no ball end mill. Errors: InputError naming ToolController with the kind of tool; `work` is what
