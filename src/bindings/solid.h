@@ -3,7 +3,7 @@
 #pragma once
 
 #include "patchmill/geometry/error.h"
-#include "patchmill/mesh/triangle_bvh.h"
+#include "patchmill/mesh/signed_distance.h"
 
 namespace patchmill {
 

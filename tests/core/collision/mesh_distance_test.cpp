@@ -4,6 +4,7 @@
 
 #include "patchmill/collision/frustum.h"
 #include "patchmill/geometry/error.h"
+#include "patchmill/mesh/signed_distance.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -50,6 +51,19 @@ RC_GTEST_PROP(MeshDistance, OfASphereIsWithinTheChordsOfIt,
   static const PartDistance distance = distance_from_mesh(sphere_mesh(2.0, 60));
   const Vec3 p(a % 600 * 0.01 - 3.0, b % 600 * 0.01 - 3.0, c % 600 * 0.01 - 3.0);
   RC_ASSERT(std::abs(distance(p) - (p.norm() - 2.0)) < 2.0 * (1.0 - std::cos(kPi / 60)));
+}
+
+// The normals of smooth faces say the same side as the parity of crossings does, to the last bit.
+RC_GTEST_PROP(MeshDistance, NormalsAndParityTellTheSameSide,
+              (std::uint16_t a, std::uint16_t b, std::uint16_t c)) {
+  static const mesh::TriangleMesh meshes[] = {sphere_mesh(2.0, 12),
+                                              mesh::box_mesh({-1, -2, -1}, {1, 2, 2})};
+  for (const mesh::TriangleMesh& one : meshes) {
+    const mesh::TriangleBvh bvh(one);
+    const Vec3 p(a % 600 * 0.01 - 3.0, b % 600 * 0.01 - 3.0, c % 600 * 0.01 - 3.0);
+    RC_ASSERT(mesh::signed_distance(bvh, mesh::SmoothFaces(one), p) ==
+              mesh::signed_distance(bvh, p));
+  }
 }
 
 // A thin wedge: at its sharp edge the two faces look in opposite directions.

@@ -7,9 +7,7 @@
 
 namespace patchmill::collision {
 
-/// Distance from a solid [mm], positive outside; may be called from several threads. Where the nearest
-/// place lies on a face, or on an edge between faces that hardly differ, the face's normal gives the sign;
-/// else the parity of crossings along a line does. Errors: InputError of require_closed, naming Part.
+/// Distance from a solid [mm], positive outside (mesh::signed_distance); may be called from several threads. Errors: InputError of require_closed, naming Part.
 PartDistance distance_from_mesh(const mesh::TriangleMesh& mesh);
 
 /// The same solid with the distances of tool sections: least over the mesh of the signed distance from the

@@ -185,9 +185,4 @@ bool inside(const TriangleBvh& bvh, const Vec3& p) {
   return (x.end() - std::upper_bound(x.begin(), x.end(), p.x())) % 2 != 0;
 }
 
-double signed_distance(const TriangleBvh& bvh, const Vec3& p) {
-  const double distance = closest_point(bvh, p).distance;
-  return inside(bvh, p) ? -distance : distance;
-}
-
 }  // namespace patchmill::mesh

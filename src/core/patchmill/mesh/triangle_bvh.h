@@ -63,7 +63,4 @@ std::vector<double> line_crossings(const TriangleBvh& bvh, double y, double z);
 /// Whether a point is inside a closed mesh: by the parity of crossings along x.
 bool inside(const TriangleBvh& bvh, const Vec3& p);
 
-/// Distance from a closed mesh [mm], negative inside.
-double signed_distance(const TriangleBvh& bvh, const Vec3& p);
-
 }  // namespace patchmill::mesh
