@@ -11,12 +11,15 @@
 
 namespace patchmill::collision {
 
+/// A cell of a frustum in its own coordinates.
 struct FrustumCell {
   double low[3], high[3];  // height, share of the radius, azimuth
 };
 
+/// The search for the nearest place of one section.
 class CellSearch {
  public:
+  /// The section and the distance must outlive it; `resolution` [mm, > 0].
   CellSearch(const ToolSection& section, const PartDistance& distance, double resolution)
       : section_(section), distance_(distance), resolution_(resolution) {}
 

@@ -18,6 +18,7 @@ namespace patchmill::collision {
 /// A section of shank or holder; heights above the tool's centre (tool.h) [mm], 0 < from.
 using HolderSection = Frustum;
 
+/// What clear_axis keeps to.
 struct ClearOptions {
   double clearance = 1.0;             ///< that is kept between holder and part [mm], > 0, <= 1e4
   double resolution = 0.05;           ///< to which distances are found [mm], 1e-6 .. 1e4
@@ -30,6 +31,7 @@ struct ClearOptions {
 double holder_distance(const mesh::TriangleBvh& part, const std::vector<HolderSection>& holder,
                        const Vec3& centre, const Vec3& axis, double resolution, double enough);
 
+/// An axis that was found.
 struct ClearAxis {
   Vec3 axis = Vec3::UnitZ();
   bool clear =

@@ -46,6 +46,7 @@ struct PartShape {
 
   PartShape() = default;
   /// A part of which only the distance of points is known.
+  /// A part of which only the distance of points is known.
   template <class Distance>
   PartShape(Distance known) : distance(std::move(known)) {}  // NOLINT: a distance is a shape
 };

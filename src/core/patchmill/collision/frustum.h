@@ -11,6 +11,7 @@
 
 namespace patchmill::collision {
 
+/// A distance and the direction in which it grows.
 struct SignedDistance {
   double value = 0.0;            ///< [mm], negative inside
   Vec3 gradient = Vec3::Zero();  ///< a subgradient, at most of unit length

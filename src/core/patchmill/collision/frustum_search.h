@@ -23,8 +23,9 @@ class FrustumSearch {
   /// Least distance from one more frustum, if it is less than `best`; `best` again if not.
   double nearer(const Frustum& frustum, double best);
 
-  /// Point of the mesh where the least distance of all calls was found, and the fraction of the travel.
+  /// Point of the mesh where the least distance of all calls was found.
   const Vec3& point() const { return point_; }
+  /// The fraction of the travel there, 0 .. 1.
   double fraction() const { return fraction_; }
 
  private:

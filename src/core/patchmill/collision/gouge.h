@@ -6,6 +6,7 @@
 
 namespace patchmill::collision {
 
+/// Cells that touch each other and lie below the base.
 struct Gouge {
   Vec3 place = Vec3::Zero();        ///< its deepest point, on the relief [mm]
   Vec2 plane_place = Vec2::Zero();  ///< the same in plane coordinates [mm]

@@ -15,13 +15,16 @@ struct Swing {
   Eigen::Quaterniond turn;
   double angle;  ///< [rad]
 
+  /// From one pose to the next; the axis turns the shorter way.
   Swing(const ToolPose& from, const ToolPose& to);
 
+  /// The pose at a fraction of the move, 0 .. 1.
   ToolPose at(double fraction) const;
   /// Longest way of a point of the tool within `reach` of the tip [mm].
   double length(double reach) const { return (to.tip - from.tip).norm() + angle * reach; }
 };
 
+/// Checks moves of one tool against one part.
 class MoveCheck {
  public:
   /// All of them must outlive it; findings and unknown moves are added to the report.
@@ -31,6 +34,7 @@ class MoveCheck {
 
   /// The ball, or all points within the corner's radius of the core of the cutting end.
   void end(std::int64_t number, const Swing& swing);
+  /// The same of a section above the cutting end.
   void section(std::int64_t number, const Swing& swing, const ToolSection& section);
 
  private:

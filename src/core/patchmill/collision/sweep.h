@@ -9,6 +9,7 @@
 
 namespace patchmill::collision {
 
+/// A distance, the direction in which it grows, and where on the way.
 struct SweptDistance {
   double value = 0.0;            ///< [mm], negative inside, exact to 1e-9
   Vec3 gradient = Vec3::Zero();  ///< a subgradient, at most of unit length

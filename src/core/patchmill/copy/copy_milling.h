@@ -30,6 +30,7 @@ enum class CopyMode {
   Contour            ///< z levels
 };
 
+/// What copy milling is asked for.
 struct CopyOptions {
   CopyMode mode = CopyMode::Scanning;
   Tool tool;

@@ -17,6 +17,7 @@
 
 namespace patchmill::copy {
 
+/// A ball that is dropped from place to place.
 class DropProbe {
  public:
   /// `radius` of the ball [mm, > 0]. The tree must outlive the probe. A probe serves one thread.

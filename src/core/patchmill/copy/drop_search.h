@@ -9,6 +9,7 @@
 
 namespace patchmill::copy {
 
+/// One ball that is dropped: the best triangle so far, and what may still lift it.
 class DropSearch {
  public:
   /// For a ball of `radius` [mm, > 0] over (x, y) [mm]. What does not lift it above `floor` may be left out.
@@ -24,6 +25,7 @@ class DropSearch {
   void touch(std::int32_t triangle);
   /// Tries the triangles of a leaf that can be higher than the best so far, or the whole tree's.
   void look_at(const mesh::DropLeaf& leaf);
+  /// Tries all triangles of the tree that can be higher than the best so far.
   void look_at_all();
 
  private:

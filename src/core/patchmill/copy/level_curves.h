@@ -22,6 +22,7 @@ struct PlanarGrid {
 /// Errors: InputError if it would have more than 5e7 nodes.
 PlanarGrid planar_grid(const Vec2& lo, const Vec2& hi, double pitch);
 
+/// A curve of equal height.
 struct Polyline {
   std::vector<Vec2> points;
   bool closed = false;  ///< the last point is joined to the first, which is not repeated

@@ -19,12 +19,14 @@
 
 namespace patchmill::copy {
 
+/// What may be changed while the tool cuts.
 struct LiveConditions {
   double radial_depth = 0.0;  ///< [mm], > 0
   double axial_depth = 0.0;   ///< [mm], > 0
   dcm::FeedLimits feed;       ///< V_Lo, V_Hi [mm/s]
 };
 
+/// Copy milling made in batches while the tool cuts.
 class LiveSession {
  public:
   /// `part` and `grid` must live as long as the session. The mode of `options` must be Scanning; its depths
@@ -42,7 +44,9 @@ class LiveSession {
   /// Errors: InputError naming the condition that is out of range; then all stay as they were.
   void change(const LiveConditions& conditions);
 
+  /// Those in force.
   const LiveConditions& conditions() const { return conditions_; }
+  /// Whether all is cut.
   bool done() const { return done_; }
   double line() const { return y_; }       ///< y of the present line [mm]
   double level() const { return level_; }  ///< that the ball centre is cut down to in it [mm]

@@ -14,6 +14,7 @@ namespace patchmill::copy {
 /// True where nothing of the part is above a ball with this centre [mm].
 using FreeAbove = std::function<bool(const Vec3& centre)>;
 
+/// Makes one ToolPath of lines that are to be cut.
 class PathBuilder {
  public:
   /// The tool begins at the safe height over the low corner of the stock.
@@ -22,6 +23,7 @@ class PathBuilder {
   /// Cuts along ball centres [mm]; a polyline that begins where the last one ended is just gone on
   /// with. One of which no point can be reached from above is left out, and counted.
   void cut(const std::vector<Vec3>& centres);
+  /// Lifts the tool and gives the path; no more may be cut after it.
   CopiedPath finish();
 
  private:

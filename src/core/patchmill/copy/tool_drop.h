@@ -24,7 +24,9 @@ double drop_tool(const mesh::TriangleBvh& bvh, double x, double y, const Tool& t
 /// The tree must outlive the probe. A probe serves one thread.
 class ToolProbe {
  public:
+  /// As drop_tool.
   ToolProbe(const mesh::TriangleBvh& bvh, const Tool& tool, double allowance);
+  /// Height z [mm] of the tool's centre over (x, y) [mm], as drop_tool.
   double operator()(double x, double y);
 
  private:

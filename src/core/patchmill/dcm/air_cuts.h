@@ -19,6 +19,7 @@ namespace patchmill::dcm {
 /// long.
 class RemainingStock {
  public:
+  /// All of the stock of a voxel model, which must outlive it.
   explicit RemainingStock(const voxel::VoxelGrid& grid);
 
   /// Takes away what the cutter holds with the tool's centre (tool.h) at a place [mm], its flank going on upwards.
@@ -43,6 +44,7 @@ class RemainingStock {
   std::vector<std::uint8_t> emptied_;
 };
 
+/// How air cuts are looked for and how fast they go.
 struct AirCutOptions {
   double feed = 0.0;  ///< V_Air [mm/s], > 0
   double shortest =

@@ -29,6 +29,7 @@ enum class ReadAt {
 /// keeps a holder clear of the part (clear_axis.h).
 using AxisRule = std::function<Vec3(const Vec3& centre, const Vec3& wanted)>;
 
+/// How a path is controlled by the fields.
 struct DcmOptions {
   Reading reading = Reading::Trilinear;  ///< Nearest gives the paper's staircase
   ReadAt read_at = ReadAt::BallCentre;

@@ -27,11 +27,13 @@ enum class ExteriorRule {
   Free   ///< only their initial value is given; nothing flows out of the volume
 };
 
+/// Feeds at the surface of the part and at the skin of the stock.
 struct FeedLimits {
   double low = 0.0;   ///< V_Lo, at the product surface [mm/s], > 0
   double high = 0.0;  ///< V_Hi, at the stock's skin [mm/s], >= V_Lo
 };
 
+/// Feeds over a voxel grid.
 struct FeedField {
   FeedLimits limits;
   std::array<std::vector<double>, 3> along;  ///< V_x, V_y, V_z [mm/s]; 0 where there is no removal

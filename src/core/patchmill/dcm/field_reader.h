@@ -28,7 +28,9 @@ struct ReadingStencil {
   int size = 0;
   double air = 0.0;  ///< weight of air; all weights add up to one, or to zero within the part
 
+  /// Whether there is nothing to read: the point is in the middle of the part.
   bool empty() const { return size == 0 && air == 0.0; }
+  /// The weighted mean of a field over the cells of its grid; `in_air` is its value in air.
   template <class T>
   double operator()(const std::vector<T>& field, double in_air) const {
     double sum = air * in_air;

@@ -34,6 +34,7 @@ Vec3 axis_in(const PostureField& posture, std::size_t cell);
 /// Unit axes over a section; NaN where there is nothing to remove.
 std::vector<Vec3> axes_on(const GridSection& section, const PostureField& posture);
 
+/// A tool axis of the field, to be drawn.
 struct FieldArrow {
   Vec3 place = Vec3::Zero();  ///< centre of a voxel [mm]
   Vec3 axis = Vec3::UnitZ();

@@ -29,6 +29,7 @@ enum class PostureForm {
   UnitVector  ///< the three components of the axis
 };
 
+/// How a posture field is made.
 struct PostureOptions {
   PostureForm form = PostureForm::Angles;
   ExteriorRule exterior = ExteriorRule::Held;
@@ -38,6 +39,7 @@ struct PostureOptions {
   voxel::LaplaceOptions solver;
 };
 
+/// Tool axes over a voxel grid.
 struct PostureField {
   PostureForm form = PostureForm::Angles;
   /// theta, phi [rad]; or the components of the axis. 0 where there is no removal.
@@ -45,6 +47,7 @@ struct PostureField {
   voxel::LaplaceOutcome outcome;
 };
 
+/// The two angles of a tool axis.
 struct PostureAngles {
   Angle theta, phi;
 };

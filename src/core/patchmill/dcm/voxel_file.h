@@ -11,6 +11,7 @@
 
 namespace patchmill::dcm {
 
+/// A grid with its fields, as one file keeps them.
 struct VoxelModel {
   voxel::VoxelGrid grid;
   std::optional<PostureField> posture;

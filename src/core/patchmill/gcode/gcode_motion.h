@@ -14,6 +14,7 @@ namespace patchmill::gcode {
 /// G17, G18 and G19: the plane that an arc turns in, and the axis across it.
 enum class ArcPlane : std::uint8_t { XY, ZX, YZ };
 
+/// An arc or helix.
 struct Arc {
   Vec3 from, to;  ///< [mm]
   Vec3 centre;    ///< its coordinate across the plane does not count
@@ -37,6 +38,7 @@ std::vector<Vec3> arc_points(const Arc& arc, double chord);
 std::optional<Vec3> arc_centre(const Vec3& from, const Vec3& to, double radius, ArcPlane plane,
                                bool clockwise);
 
+/// A drilling cycle as it is in force.
 struct DrillingCycle {
   int code = 810;          ///< 730, 810, 820, 830, 850, 890: G words in tenths
   double bottom = 0.0;     ///< Z [mm]
@@ -47,7 +49,9 @@ struct DrillingCycle {
   bool to_initial = true;  ///< G98; else G99
 };
 
+/// One straight move of a drilling cycle.
 struct CycleStep {
+  /// What it does.
   enum class Kind : std::uint8_t { Rapid, Feed, Dwell } kind = Kind::Rapid;
   double z = 0.0;        ///< height at its end [mm]
   double seconds = 0.0;  ///< of a dwell

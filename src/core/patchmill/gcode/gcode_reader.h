@@ -29,6 +29,7 @@ struct ProgramSection {
   std::vector<bool> tcp;  ///< whether TCP was on in each move; empty if rotary words are refused
 };
 
+/// How a program is read.
 struct ReadOptions {
   const Control* control = &linuxcnc();
   /// Rotary words are read: the path's points are then the programmed ones, and its axes are not set
@@ -38,6 +39,7 @@ struct ReadOptions {
               tcp_off = {};  ///< M words of the machine for TCP beside the control's own
 };
 
+/// What was read of a program.
 struct Program {
   std::vector<ProgramSection> sections;  ///< those with moves
 };
@@ -62,6 +64,7 @@ struct ProgramLine {
 /// InputError "G-code line n".
 std::vector<ProgramLine> program_lines(std::string_view text, const Control& control);
 
+/// How a program that was read compares with its plan.
 struct PlanMatch {
   bool complete = false;         ///< every timed move of the plan was found, in order
   std::int64_t found = 0;        ///< dimples found before the first move that was not

@@ -35,6 +35,7 @@ struct GcodeState {
   bool pole_known = false;
   DrillingCycle cycle;                               ///< heights in mm, as far as they were given
   bool cycle_bottom = false, cycle_retract = false;  ///< whether they were
+  /// Whether X, Y and Z have all been given.
   bool known_position() const { return known[0] && known[1] && known[2]; }
 };
 
@@ -51,6 +52,7 @@ struct GcodeBlock {
   bool machine = false;    ///< G53: its coordinates are the machine's
   bool reference = false;  ///< G28, G30: to the machine's reference
   bool offset = false;     ///< another work offset comes into force
+  /// Whether it names any axis.
   bool moves() const {
     bool any = false;
     for (int i = 0; i < 3; ++i) any = any || !std::isnan(axis[i]) || !std::isnan(angle[i]);

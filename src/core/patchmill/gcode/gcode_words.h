@@ -9,6 +9,7 @@
 
 namespace patchmill::gcode {
 
+/// A letter and its number.
 struct GcodeWord {
   char letter = 0;  ///< upper case
   double value = 0.0;

@@ -17,6 +17,7 @@ struct BlockCode {
   int tenths = 0;
 };
 
+/// The words of one line of a path.
 struct PathBlock {
   static constexpr std::size_t kMostCodes = 8;
   std::string_view text;  ///< as it stands, for messages; belongs to whoever gave it
@@ -24,8 +25,11 @@ struct PathBlock {
   std::size_t count = 0;                          ///< how many there are
   std::array<double, 26> value{};
   LetterSet letters = 0;  ///< those that have a value
+  /// Whether a letter, A to Z, has a value.
   bool gives(char letter) const { return (letters & letter_set(letter)) != 0; }
+  /// Its value; 0 if it has none.
   double get(char letter) const { return value[static_cast<std::size_t>(letter - 'A')]; }
+  /// Whether a G or M word is among its codes.
   bool code(char letter, int tenths) const {
     for (std::size_t i = 0; i < count; ++i)
       if (codes[i].letter == letter && codes[i].tenths == tenths) return true;

@@ -21,6 +21,7 @@ struct LeadWord {
   double value = 0.0;
 };
 
+/// A block that moves.
 struct MoveBlock {
   Motion motion = Motion::Rapid;
   std::array<bool, kAxisCount> given{};  ///< X Y Z A B C U V W
@@ -40,14 +41,21 @@ void append_fixed(std::string& text, double value, int decimals, bool plus);
 /// `value` with no more decimals than it needs, six at most.
 std::string short_number(double value);
 
+/// The text of a program as it grows, block by block, in the words of its control.
 class ProgramText {
  public:
+  /// The style must outlive it.
   explicit ProgramText(const ProgramStyle& style);
+  /// The head of the program.
   void begin();
+  /// The foot of the program; gives all of its text.
   std::string end();
+  /// A comment, if the style has them, made of what its control can read.
   void comment(std::string_view text);
+  /// A block of these words, numbered as the style asks.
   void line(const std::string& text);
   void lines(const std::string& text);  ///< one for each line of `text`
+  /// A straight move; words that are in force already are left out.
   void move(const MoveBlock& block);
   /// An arc in absolute coordinates with its centre from its start, or about CC. `feed` as MoveBlock's.
   void arc(const Arc& arc, double feed, bool inverse);
@@ -55,6 +63,7 @@ class ProgramText {
   void cycle(const DrillingCycle& cycle, double x, double y, double feed);
   void forget();       ///< all modal words are to be given again
   void forget_word();  ///< the G word is
+  /// The word of an axis, 0 to 8, is to be given again.
   void forget_axis(std::size_t axis) { known_[axis] = false; }
 
  private:

@@ -12,6 +12,7 @@
 
 namespace patchmill::gcode {
 
+/// How a program is written.
 struct ProgramStyle {
   const Control* control = &linuxcnc();
   int precision = 3;          ///< decimals of X Y Z A B C, 0 .. 6

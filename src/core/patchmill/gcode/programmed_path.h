@@ -14,6 +14,7 @@ namespace patchmill::gcode {
 /// Which point of the tool X Y Z are of; the tool length counts to it.
 enum class ReferencePoint : std::uint8_t { Tip, BallCentre };
 
+/// How a control is told of rotary axes.
 struct ProgramForm {
   bool tcp = true;
   ReferencePoint reference = ReferencePoint::Tip;

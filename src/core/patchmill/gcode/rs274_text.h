@@ -28,6 +28,7 @@ struct RotaryWords {
   bool as_set = false;
 };
 
+/// The text of a path, and which of its lines are moves.
 struct Rs274Text {
   std::string text;
   std::vector<long> lines;  ///< line (from 1) of each move; a move of no length has the one before

@@ -8,9 +8,12 @@
 
 namespace patchmill::gcode {
 
+/// Writes the paths of a job's operations as one program.
 class Writer {
  public:
+  /// The style must outlive it.
   explicit Writer(const ProgramStyle& style);
+  /// The program of these texts of paths, one for each operation. Errors: InputError as program_writer.h says.
   std::string write(const std::vector<std::string>& texts);
 
  private:

@@ -10,6 +10,7 @@
 
 namespace patchmill {
 
+/// A value that is out of its range, or does not fit the others: what the user has to change.
 class InputError : public std::runtime_error {
  public:
   /// `property`: the name that the user knows; `value`: as given; `remedy`: a whole sentence.
@@ -19,8 +20,11 @@ class InputError : public std::runtime_error {
         value_(std::move(value)),
         remedy_(std::move(remedy)) {}
 
+  /// Name of the value.
   const std::string& property() const { return property_; }
+  /// The value with its unit.
   const std::string& value() const { return value_; }
+  /// What to do, a sentence.
   const std::string& remedy() const { return remedy_; }
 
  private:

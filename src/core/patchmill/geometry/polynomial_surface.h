@@ -15,6 +15,7 @@ struct SurfaceD1 {
   Vec3 point, du, dv;
 };
 
+/// A surface of polynomial or rational Bezier patches.
 class PolynomialSurface {
  public:
   /// Homogeneous Bernstein coefficients (w x, w y, w z, w) of a grid of Bezier patches. Patch (i, j) covers

@@ -10,16 +10,19 @@
 
 namespace patchmill {
 
+/// Progress of several threads as one.
 class SharedProgress {
  public:
   /// Of `count` pieces of work; the progress must outlive it.
   SharedProgress(const Progress& progress, std::size_t count)
       : progress_(progress), count_(count) {}
 
+  /// Whether the work is to stop.
   bool stopped() const { return stopped_; }
 
   /// One more piece is done. False if the work is to stop.
   bool one_done() { return some_done(1); }
+  /// So many more pieces are done. False if the work is to stop.
   bool some_done(std::size_t pieces) {
     if (!progress_) return true;
     const std::lock_guard<std::mutex> lock(mutex_);

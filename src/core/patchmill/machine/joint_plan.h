@@ -19,6 +19,7 @@ struct AxisTarget {
   bool clear = false;         ///< the way here is clear of the part: axes may unwind
 };
 
+/// Angles of the rotary axes along a path.
 struct JointPlan {
   bool complete = false;
   std::size_t failed = 0;      ///< first target that cannot be had

@@ -43,6 +43,7 @@ struct RotaryAxis {
 /// Angles of the rotary axes in chain order [rad]; those that a machine lacks are 0.
 using Joints = std::array<double, 2>;
 
+/// A machine: its rotary axes, and the limits of its linear ones.
 struct Kinematics {
   std::vector<RotaryAxis> rotary;  ///< from the work to the tool, at most two
   Vec3 lowest = Vec3::Constant(-kUnlimited),
@@ -83,10 +84,13 @@ struct AxisSolution {
   bool pole = false;  ///< the first rotary axis is parallel to the tool: its angle, 0 here, is free
 };
 
+/// The ways to point the tool along an axis.
 struct AxisSolutions {
   std::array<AxisSolution, 2> solution;
   int count = 0;  ///< 0: the machine cannot point so
+  /// The solutions there are, as a range.
   const AxisSolution* begin() const { return solution.data(); }
+  /// The end of that range.
   const AxisSolution* end() const { return solution.data() + count; }
 };
 

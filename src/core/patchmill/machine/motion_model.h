@@ -15,6 +15,7 @@ namespace patchmill::machine {
 
 constexpr double kNoJerkLimit = std::numeric_limits<double>::infinity();
 
+/// How a control moves a machine.
 struct MotionModel {
   double velocity = 0.0;       ///< of each linear axis [mm/s]
   double acceleration = 0.0;   ///< of each linear axis [mm/s²]

@@ -19,6 +19,7 @@ struct PathPiece {
   double end_speed = 0.0;     ///< that it may end with [mm/s]
 };
 
+/// A path as the pieces that a planner runs through.
 struct PathPieces {
   std::vector<PathPiece> pieces;
   std::size_t swallowed =

@@ -16,6 +16,7 @@
 
 namespace patchmill::machine {
 
+/// When and where a planner passes an end of a move.
 struct Passing {
   double time = 0.0;   ///< since the start of the path [s]
   double turns = 0.0;  ///< spindle turns since then

@@ -9,6 +9,7 @@
 
 namespace patchmill::machine {
 
+/// When each move of a path is over.
 struct Prediction {
   bool known = false;
   std::string reason;         ///< why not

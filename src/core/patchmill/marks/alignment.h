@@ -28,6 +28,7 @@ struct RowLayout {
   double cross_feed = 0.0;      ///< distance of rows [mm]
 };
 
+/// How one row of marks stands against the next.
 struct RowShift {
   int row = 0;             ///< of the lower row, counted in cross-feeds from the lowest one
   double shift = 0.0;      ///< of the next row's marks, share of f_z, 0 .. 1
@@ -35,6 +36,7 @@ struct RowShift {
   int pairs = 0;           ///< of marks looked at
 };
 
+/// The array that marks stand in.
 struct AlignmentResult {
   Alignment state = Alignment::Unknown;
   double shift = 0.0;          ///< mean over all pairs of rows, share of f_z, 0 .. 1
@@ -43,6 +45,7 @@ struct AlignmentResult {
   std::vector<RowShift> rows;
 };
 
+/// How near marks must stand to an array to count as one.
 struct AlignmentOptions {
   double shift_tolerance = 0.06;     ///< of f_z: so near to 0 or 1/2 counts as that
   double least_agreement = 0.9;      ///< of rows on one shift; below, they drift

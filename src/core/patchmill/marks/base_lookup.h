@@ -12,6 +12,7 @@ struct BaseUnder {
   Vec3 foot = Vec3::Zero();     ///< foot of the ball centre [mm]
   Vec3 normal = Vec3::UnitZ();  ///< unit, out of the material
   bool found = false;  ///< false: no base there; foot and normal are then those of the plane
+  /// Height of a ball centre over the tangent plane [mm].
   double height(const Vec3& centre) const { return (centre - foot).dot(normal); }
 };
 

@@ -23,6 +23,7 @@ struct DimpleMark {
   bool at_edge = false;
 };
 
+/// What counts as a dimple.
 struct FindOptions {
   double least_depth = 0.002;  ///< hollows not so deep are dents [mm]
 };

@@ -13,6 +13,7 @@ namespace patchmill::marks {
 
 inline constexpr std::int32_t kNoHollow = -1;
 
+/// The hollow of each cell of a relief.
 struct Hollows {
   std::vector<std::int32_t> label;   ///< hollow of each cell; kNoHollow for uncut and missing cells
   std::vector<std::int64_t> lowest;  ///< cell of each hollow
@@ -36,12 +37,14 @@ void for_neighbours(const SurfaceGrid& grid, std::int64_t cell, Visit&& visit) {
 /// Merges dents into their neighbours, over what is left of the ridges between hollows.
 class HollowMerger {
  public:
+  /// Both must outlive it.
   HollowMerger(const Relief& relief, const Hollows& hollows);
 
   /// Until every hollow is at least `least` deep [mm]; shallowest first. Those that are not, and are open to
   /// uncut ground only, are dropped.
   void merge(double least);
   std::int32_t root(std::int32_t k) const;  ///< the hollow that hollow k has become part of
+  /// Whether hollow k was dropped by merge().
   bool dropped(std::int32_t k) const { return dropped_[static_cast<std::size_t>(k)]; }
   /// From the bottom of hollow k, a root, to the lowest point of its rim [mm].
   double depth(std::int32_t k) const;

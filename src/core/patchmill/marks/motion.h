@@ -24,6 +24,7 @@ struct Cutter {
 /// (size; each entry less than R/2 by magnitude).
 void require_valid(const Cutter& cutter);
 
+/// Tool and spindle at one time.
 struct MotionNode {
   double turned =
       0.0;  ///< angle the spindle has turned [rad], whatever its sense; grows along a run
@@ -39,6 +40,7 @@ struct MotionRun {
   std::vector<MotionNode> nodes;
 };
 
+/// Tool and spindle over time.
 struct ToolMotion {
   SpindleSense sense = SpindleSense::M3;
   std::vector<MotionRun> runs;
@@ -51,6 +53,7 @@ struct ToolMotion {
 /// right only on a machine whose axes turn the tool just so. `axis` unit; at -Z the result is X.
 Vec3 default_housing_x(const Vec3& axis);
 
+/// How a path is sampled.
 struct MotionOptions {
   Angle start_phase;  ///< azimuth of flute 0 in the housing at the start of the path
   /// Wanted azimuth of a flute at each dimple, indexed by dimple number (wanted_phases). If given,

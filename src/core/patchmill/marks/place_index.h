@@ -9,6 +9,7 @@
 
 namespace patchmill::marks {
 
+/// Places in the plane, found by where they are.
 class PlaceIndex {
  public:
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);

@@ -8,6 +8,7 @@
 
 namespace patchmill::marks {
 
+/// Where a mark was planned.
 struct PlannedPlace {
   std::int32_t dimple = 0;    ///< its number in the plan
   Vec2 place = Vec2::Zero();  ///< plane coordinates [mm]
@@ -24,6 +25,7 @@ struct DimpleMatch {
   Vec2 moved = Vec2::Zero();  ///< from the plan to where it was found [mm]
 };
 
+/// How marks that were found lie against those that were planned.
 struct PlanComparison {
   std::vector<DimpleMatch> matches;  ///< one per planned dimple, in the plan's order
   std::vector<std::int32_t> extra;   ///< indices of dimples found that were not planned

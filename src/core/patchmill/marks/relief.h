@@ -28,9 +28,13 @@ struct SurfaceGrid {
   std::vector<double> sag;
   std::vector<Vec3f> normal;
 
+  /// Whether the base is another than the plane.
   bool curved() const { return !sag.empty(); }
+  /// How many cells it has.
   std::int64_t cells() const { return static_cast<std::int64_t>(columns) * rows; }
+  /// Number of cell (i, j).
   std::int64_t number(int i, int j) const { return static_cast<std::int64_t>(j) * columns + i; }
+  /// Plane coordinates of cell (i, j) [mm].
   Vec2 plane_point(int i, int j) const { return first + step * Vec2(i, j); }
 };
 
@@ -63,6 +67,7 @@ SurfaceGrid row_band(const SurfaceGrid& grid, int first_row, int rows);
 /// Errors: InputError naming GridStep, GridSize, or GridBase (sizes of sag and normal).
 void require_valid(const SurfaceGrid& grid);
 
+/// The surface that the tool leaves over a grid.
 struct Relief {
   SurfaceGrid grid;
   double stock = 0.0;  ///< height of the surface before cutting [mm]
@@ -70,6 +75,7 @@ struct Relief {
   /// where there is no base.
   std::vector<float> height;
 
+  /// Height at cell (i, j) [mm]; NaN where there is no base.
   float at(int i, int j) const { return height[static_cast<std::size_t>(grid.number(i, j))]; }
 };
 

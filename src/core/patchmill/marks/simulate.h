@@ -18,6 +18,7 @@
 
 namespace patchmill::marks {
 
+/// How closely marks are computed.
 struct MarkOptions {
   /// Height of the uncut surface over the base [mm]; the simulator looks no higher. The reach of
   /// each pass, and so the cost, grows with it: about 2 R stock in area.
@@ -25,11 +26,13 @@ struct MarkOptions {
   double memory_limit = 4e9;  ///< bytes; a job that needs more is refused beforehand
 };
 
+/// What computing them took.
 struct MarkStatistics {
   std::int64_t passes = 0;       ///< tooth passes that reach the grid
   std::int64_t evaluations = 0;  ///< flute-cell evaluations: cells in reach, summed over passes
 };
 
+/// A relief and how it was found.
 struct SimulatedRelief {
   Relief relief;
   MarkStatistics statistics;

@@ -22,6 +22,7 @@ BaseMaker base_on(const patch::SurfaceSampler& sampler);
 BaseMaker base_of_patches(const patch::Dimples& dimples, const patch::TexturePlane& plane,
                           double reach);
 
+/// How marks of a texture are computed.
 struct TextureMarkOptions {
   MarkOptions marks;
   FindOptions find;
@@ -29,6 +30,7 @@ struct TextureMarkOptions {
   double halo = 1.0;  ///< [mm] beyond a band on both sides: twice the size of a dimple at least
 };
 
+/// The marks of a texture over a window.
 struct TextureMarks {
   SurfaceGrid grid;  ///< flat: the base is not kept
   double stock = 0.0;

@@ -9,6 +9,7 @@ namespace patchmill::marks {
 
 constexpr int kTile = 128;  ///< cells along each side; a multiple of kLanes
 
+/// A square of cells that is milled at a time.
 class Tile {
  public:
   /// Starts an uncut tile at a cell of the grid. `grid` must outlive the tile's use.

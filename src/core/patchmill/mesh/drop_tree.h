@@ -17,6 +17,7 @@
 
 namespace patchmill::mesh {
 
+/// Three corners [mm].
 struct Triangle {
   Vec3 a, b, c;
 };
@@ -25,6 +26,7 @@ constexpr int kDropWidth = 8;
 
 /// Eight children. Lengths are in mm from the middle of the mesh.
 struct alignas(64) DropNode {
+  /// One value for each child.
   using Row = float[kDropWidth];
   Row lo_x, hi_x, lo_y, hi_y, top;        ///< box; an unused child has lo > hi
   Row slope_x, slope_y, height, stretch;  ///< lid; stretch = sqrt(1 + |slope|^2)
@@ -32,11 +34,13 @@ struct alignas(64) DropNode {
       child[kDropWidth];  ///< of a node: >= 0 a node, below: ~ a leaf; of a leaf: a triangle
 };
 
+/// Triangles that are tried side by side.
 struct DropLeaf {
   DropNode node;
   DropNode::Row side_x[3], side_y[3], side_c[3];
 };
 
+/// The tree of bounds that balls are dropped with.
 class DropTree {
  public:
   DropTree() = default;
@@ -45,7 +49,9 @@ class DropTree {
   explicit DropTree(const std::vector<Triangle>& triangles);
 
   const std::vector<DropNode>& nodes() const { return nodes_; }  ///< node 0 is the root
+  /// Its leaves, in the order of their triangles.
   const std::vector<DropLeaf>& leaves() const { return leaves_; }
+  /// Middle of all triangles, from which bounds are counted [mm].
   const Vec3& middle() const { return middle_; }
   double extent() const {
     return extent_;

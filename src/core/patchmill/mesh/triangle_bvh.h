@@ -12,12 +12,14 @@
 
 namespace patchmill::mesh {
 
+/// A box of the tree.
 struct BvhNode {
   Vec3 lo, hi;
   std::int32_t first = 0;  ///< leaf: index into `order`; inner: number of the left child
   std::int32_t count = 0;  ///< leaf: how many triangles; inner: 0, and the right child is first + 1
 };
 
+/// A tree of boxes over the triangles of a mesh.
 class TriangleBvh {
  public:
   /// Errors: InputError if the mesh has no triangle.
@@ -27,6 +29,7 @@ class TriangleBvh {
   const DropTree& drops() const { return drops_; }              ///< over triangles()
   /// Triangles in the order of the leaves, and what their numbers in the mesh are.
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// Number in the mesh of each of triangles().
   const std::vector<std::int32_t>& order() const { return order_; }
 
  private:
@@ -37,6 +40,7 @@ class TriangleBvh {
   std::vector<std::int32_t> order_;
 };
 
+/// The nearest point of a mesh.
 struct ClosestPoint {
   std::int32_t triangle = -1;  ///< number in the mesh; -1 if none is within reach
   Vec3 point = Vec3::Zero();

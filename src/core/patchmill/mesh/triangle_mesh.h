@@ -13,18 +13,22 @@
 
 namespace patchmill::mesh {
 
+/// Triangles over shared vertices.
 struct TriangleMesh {
   std::vector<Vec3> vertices;                          ///< [mm]
   std::vector<std::array<std::int32_t, 3>> triangles;  ///< indices into `vertices`
 };
 
+/// A box along the axes; empty until it is given a point.
 struct Box {
   Vec3 lo = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 hi = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  /// Grows so that it holds the point.
   void include(const Vec3& p) {
     lo = lo.cwiseMin(p);
     hi = hi.cwiseMax(p);
   }
+  /// Its sides [mm].
   Vec3 size() const { return hi - lo; }
 };
 

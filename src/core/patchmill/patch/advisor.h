@@ -34,6 +34,7 @@ struct MarkWish {
 enum class Kept : std::uint8_t { FeedPerTooth, CrossFeed, Side, RidgeHeight, Nothing };
 const char* name(Kept kept);
 
+/// Values that are proposed for the free form.
 struct MarkProposal {
   Kept kept = Kept::Nothing;
   FreePatch patch;

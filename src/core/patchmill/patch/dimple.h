@@ -38,6 +38,7 @@ struct SurfacePoint {
 /// Integer coordinates of a lattice point; the lattice says where that is in the texture plane.
 using LatticePoint = std::array<std::int32_t, 2>;
 
+/// A lattice point and what becomes of it.
 struct Dimple {
   SurfacePoint surface;
   LatticePoint lattice{};

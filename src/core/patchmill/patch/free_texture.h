@@ -29,10 +29,13 @@ struct FreeFrame {
   Vec3 normal = Vec3::UnitZ();  ///< out of the material
   bool on_faces = false;        ///< else there is no plane: all of its marks are off the faces
 
+  /// Point of local coordinates [mm].
   Vec3 at(const Vec2& p) const { return origin + p.x() * x_axis + p.y() * y_axis; }
+  /// Local coordinates of the foot of a point [mm].
   Vec2 local(const Vec3& p) const { return {(p - origin).dot(x_axis), (p - origin).dot(y_axis)}; }
 };
 
+/// Patches in planes of their own with the marks of the free form.
 struct FreeTexture {
   FreePatch patch;
   std::vector<HelixSide> path;  ///< of every patch, in its plane

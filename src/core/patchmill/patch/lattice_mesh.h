@@ -39,9 +39,11 @@ struct LatticeMesh {
     const auto found = index.find(p);
     return found == index.end() ? -1 : found->second;
   }
+  /// Whether a point is on a face, not steeper than the least cosine, and within the limit.
   bool live(const WalkPoint& p) const {
     return p.on_face && -p.normal.dot(plane.direction) >= least_cosine && limit.contains(p.place);
   }
+  /// Adds a node that is not there yet.
   void add(const LatticePoint& p, const WalkPoint& point) {
     index[p] = static_cast<int>(at.size());
     at.push_back(p);

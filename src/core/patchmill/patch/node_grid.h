@@ -9,11 +9,13 @@
 
 namespace patchmill::patch {
 
+/// Places of lattice points, with what is between them.
 class NodeGrid {
  public:
   /// All nodes missing. `first` and `last` are the corners of the index range, both included.
   NodeGrid(const LatticePoint& first, const LatticePoint& last);
 
+  /// Whether a lattice point is within the range.
   bool holds(const LatticePoint& p) const {
     return p[0] >= first_[0] && p[0] <= last_[0] && p[1] >= first_[1] && p[1] <= last_[1];
   }
@@ -26,7 +28,9 @@ class NodeGrid {
   /// lower order where nodes are missing, and not finite beyond the nodes around.
   Vec2 at(const Vec2& coordinates) const;
 
+  /// The lowest corner of the range.
   const LatticePoint& first() const { return first_; }
+  /// The highest corner of the range.
   const LatticePoint& last() const { return last_; }
 
  private:

@@ -24,6 +24,7 @@ enum class PlaneFit : std::uint8_t {
   Corners   ///< through the patch's corners on the faces (best fit to them if there are over three)
 };
 
+/// Which surface the dimples of a patch lie on.
 struct PatchSurface {
   SurfaceKind kind = SurfaceKind::Curved;
   PlaneFit fit = PlaneFit::BestFit;

@@ -14,6 +14,7 @@ enum class RowExtent : std::uint8_t {
   EachPatch  ///< patches in their order, rows inside each of them
 };
 
+/// How rows are run through.
 struct RowOrder {
   RowExtent extent = RowExtent::WholeFace;
   std::size_t direction = 0;  ///< which of neighbour_steps(kind) the rows go along

@@ -36,6 +36,7 @@ enum class Mapping : std::uint8_t {
   LowDistortion  ///< lengths and angles both kept as well as the curvature lets them
 };
 
+/// What lattice is asked for.
 struct LatticeRequest {
   LatticeKind kind = LatticeKind::Square;
   double spacing = 0.0;                    ///< f, along the surface [mm]
@@ -89,6 +90,7 @@ SurfacePoint require_start(const LatticeRequest& request, const SurfaceSampler& 
 
 /// Distances of neighbouring dimples as they came out.
 struct SpacingSpread {
+  /// In one direction of the lattice.
   struct Direction {
     double least = 0.0, greatest = 0.0, mean = 0.0;  ///< distance / f
     std::int64_t pairs = 0;

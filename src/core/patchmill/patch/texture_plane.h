@@ -8,12 +8,14 @@
 
 namespace patchmill::patch {
 
+/// The plane that a texture is laid out in.
 struct TexturePlane {
   Vec3 origin = Vec3::Zero();
   Vec3 x_axis = Vec3::UnitX();      ///< unit
   Vec3 y_axis = Vec3::UnitY();      ///< unit, at right angles to x_axis
   Vec3 direction = -Vec3::UnitZ();  ///< unit, into the material; not in the plane
 
+  /// Point of plane coordinates [mm].
   Vec3 at(const Vec2& p) const { return origin + p.x() * x_axis + p.y() * y_axis; }
 };
 

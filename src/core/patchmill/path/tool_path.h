@@ -36,6 +36,7 @@ inline ToolPose pose_of_ball(const Vec3& centre, const Vec3& axis, double radius
 /// way.
 enum class SpindleSense : std::int8_t { M3 = -1, M4 = +1 };
 
+/// Speed and sense of the spindle.
 struct Spindle {
   double speed = 0.0;  ///< S [revolutions per second], > 0
   SpindleSense sense = SpindleSense::M3;
@@ -59,6 +60,7 @@ constexpr std::int32_t kNoDimple = -1;
 constexpr double kUnknownTurns = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMachineTolerance = std::numeric_limits<double>::quiet_NaN();
 
+/// One move of the tool, from where the last one ended.
 struct Move {
   ToolPose end;
   double turns = kUnknownTurns;     ///< planned spindle turns, >= 0; NaN if nobody knows
@@ -70,6 +72,7 @@ struct Move {
   double tolerance = kMachineTolerance;
 };
 
+/// Moves of one tool in order: what all parts of the program hand to each other.
 struct ToolPath {
   Tool tool;
   Spindle spindle;

@@ -15,6 +15,7 @@
 
 namespace patchmill::sync {
 
+/// What paths at a constant feed are made by.
 struct ConstantFeed {
   double feed = 0.0;  ///< F [mm/s]; rounded to the decimals in mm/min, as it is posted
   PhaseRule phase;

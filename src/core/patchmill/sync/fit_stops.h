@@ -13,6 +13,7 @@
 
 namespace patchmill::sync {
 
+/// A path whose legs are fitted to the machine's stops.
 struct StopFit {
   ToolPath path;             ///< `turns` are length / feed, as posted: predict() knows the stops
   double largest_off = 0.0;  ///< from a dimple's time, after whole periods [s]

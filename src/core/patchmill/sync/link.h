@@ -10,6 +10,7 @@
 
 namespace patchmill::sync {
 
+/// What a link must do.
 struct LinkRequest {
   Vec3 from, to;             ///< tool tips on the decimals; vertical tool
   double safe_height = 0;    ///< least Z of the traverse [mm], not below from and to

@@ -15,6 +15,7 @@
 
 namespace patchmill::sync {
 
+/// What paced paths are made by.
 struct PacedRule {
   Pace pace = Pace::SpindleLocked;
   PhaseRule phase;          ///< extra_turns must be 0; flutes must be Any
@@ -31,6 +32,7 @@ struct PacedRule {
                       ///< unless the way there needs one
 };
 
+/// A path that keeps the phase by the times of its moves.
 struct PacedPath {
   ToolPath path;
   std::int64_t turnarounds = 0;  ///< corners, gaps and links

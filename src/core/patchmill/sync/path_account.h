@@ -13,18 +13,23 @@
 
 namespace patchmill::sync {
 
+/// A path as it grows, and the turns of the spindle that are still to be spent.
 class PathAccount {
  public:
+  /// Moves are added to `path`, which must outlive it; `turns_per_mm` > 0, `safe_height` [mm].
   PathAccount(ToolPath& path, double turns_per_mm, double safe_height)
       : path_(path), turns_per_mm_(turns_per_mm), safe_height_(safe_height) {}
 
+  /// Where the tool is [mm].
   const Vec3& at() const { return at_; }
   /// Length that the next step must have so that no error is carried on [mm].
   double length_for(double turns) const { return (owed_ + turns) / turns_per_mm_; }
+  /// Adds turns that the next moves have to spend.
   void owe(double turns) { owed_ += turns; }
   /// Reduces what is owed by whole periods.
   void forgive(double period) { owed_ -= std::round(owed_ / period) * period; }
 
+  /// A move without a time, to `tip` [mm].
   void rapid(const Vec3& tip) {
     path_.moves.push_back({pose(tip), kUnknownTurns, kNoDimple, MoveKind::Rapid});
     at_ = tip;

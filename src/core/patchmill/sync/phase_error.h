@@ -10,6 +10,7 @@
 
 namespace patchmill::sync {
 
+/// By how much the spindle is off at a dimple.
 struct PhaseError {
   std::int32_t dimple = kNoDimple;
   Angle error;         ///< spindle - wanted, in [-M/2, M/2), from the run's first dimple on
@@ -24,6 +25,7 @@ struct PhaseError {
 std::vector<PhaseError> phase_errors(const ToolPath& path, const std::vector<Angle>& wanted,
                                      Angle period);
 
+/// Errors of a path in numbers.
 struct PhaseErrorSummary {
   Angle largest;  ///< by magnitude, >= 0
   Angle rms;

@@ -24,6 +24,7 @@ enum class FluteChoice : std::uint8_t {
 /// M. Errors: InputError naming Flutes if `flutes` is not in 1..32.
 Angle phase_period(int flutes, FluteChoice choice);
 
+/// Which phase is wanted at each dimple.
 struct PhaseRule {
   FluteChoice flutes = FluteChoice::Any;
   double extra_turns = 0.0;  ///< whole multiple of the period, >= 0 [turns]

@@ -11,6 +11,7 @@
 
 namespace patchmill::sync {
 
+/// A dimple that is cut, with what pacing needs of it.
 struct PlannedDimple {
   Vec3 tip;       ///< p + (R - depth) n - R e_z, on the decimals [mm]
   Vec3 normal;    ///< unit, out of the material

@@ -22,6 +22,7 @@ struct Postures {
   std::vector<Angle> azimuths;          ///< contact azimuth as seen from the housing
 };
 
+/// Postures, or why there are none.
 struct PosturePlan {
   bool complete = false;
   std::int32_t failed = kNoDimple;  ///< first dimple that cannot be had

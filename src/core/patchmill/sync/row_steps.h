@@ -19,9 +19,11 @@ struct RowStep {
   bool possible = false;  ///< near, and not too fast for an axis
   bool turning = false;   ///< a rotary axis turns meanwhile
   bool joined = false;    ///< it is: the tool goes straight on
+  /// Length for each turn of the spindle [mm].
   double pitch() const { return length / turns; }
 };
 
+/// The steps of all rows.
 struct RowSteps {
   std::vector<RowStep> steps;  ///< one less than dimples
   double fastest = 0.0;        ///< speed in a possible step [mm/s]; of the first if none is

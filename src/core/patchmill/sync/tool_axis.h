@@ -19,6 +19,7 @@ namespace patchmill::sync {
 
 enum class ToolAxisMode : std::uint8_t { Fixed, Normal, MinimumLead, Field };
 
+/// How tool axes are chosen.
 struct ToolAxisRule {
   ToolAxisMode mode = ToolAxisMode::Fixed;
   Vec3 axis = Vec3::UnitZ();  ///< Fixed, MinimumLead: from tip to holder, work frame; any length

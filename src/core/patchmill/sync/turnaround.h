@@ -49,6 +49,7 @@ struct RowEnd {
                            ///< both sides, else 0 [1/mm]
 };
 
+/// The way from the end of one row to the beginning of the next.
 struct Turnaround {
   std::vector<Move> moves;  ///< the last one ends on the arriving dimple; number not set
   double slack = 0.0;       ///< time left over; negative: the tool arrives late [s]

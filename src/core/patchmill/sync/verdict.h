@@ -11,6 +11,7 @@
 
 namespace patchmill::sync {
 
+/// The phase that a machine would make of a path.
 struct PredictedPhase {
   bool known = false;
   std::string reason;  ///< why not
@@ -27,6 +28,7 @@ PredictedPhase predicted_phase(const ToolPath& path, const machine::MotionModel&
                                const std::vector<Angle>& wanted, Angle period,
                                double speed_ratio = 1.0);
 
+/// What counts as holding the phase.
 struct PhaseLimits {
   Angle rms = Angle::degrees(3.0);
   Angle largest = Angle::degrees(9.0);  ///< 9 of 180 degrees: a twentieth of a dimple
@@ -39,6 +41,7 @@ enum class Holding : std::uint8_t {
   Unknown     ///< the model cannot say
 };
 
+/// Whether a machine can hold a plan.
 struct Verdict {
   Holding holding = Holding::Unknown;
   double speed = 0.0;    ///< up to which it holds [revolutions per second]

@@ -12,6 +12,7 @@ namespace patchmill::voxel {
 
 using Bits = std::array<std::uint64_t, kBrickSide>;
 
+/// One bit for each cell of a brick.
 struct BrickBits {
   Bits part{}, removal{}, surface{};  ///< no voxel is in two; one in none is Air
 };

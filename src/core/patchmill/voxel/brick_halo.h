@@ -20,11 +20,15 @@ struct alignas(64) BrickHalo {
   static constexpr int kRow = 16, kSlab = 10 * kRow;
   T value[10 * kSlab + kRow];  // not cleared: load_halo writes every cell that a face stencil reads
 
+  /// Index of a cell; each of x, y, z from -1 to 8.
   static constexpr int index(int x, int y, int z) {
     return (z + 1) * kSlab + (y + 1) * kRow + 8 + x;
   }
+  /// The eight cells at x = 0 .. 7.
   T* row(int y, int z) { return value + index(0, y, z); }
+  /// The same, to be read.
   const T* row(int y, int z) const { return value + index(0, y, z); }
+  /// Sets all to zero.
   void clear() { std::fill(std::begin(value), std::end(value), T{}); }
 };
 

@@ -28,7 +28,9 @@ struct BrickTable {
   /// per stored brick: numbers of the bricks at -x, +x, -y, +y, -z, +z, or kNoBrick
   std::vector<std::array<std::int32_t, 6>> neighbours;
 
+  /// How many bricks are stored.
   std::size_t size() const { return place.size(); }
+  /// How many cells they have.
   std::size_t cell_count() const { return place.size() * std::size_t{kBrickCells}; }
 
   /// Number of the brick at `place`, or kNoBrick outside the box and where none is stored.
@@ -37,6 +39,7 @@ struct BrickTable {
       return kNoBrick;
     return at[flat(brick_place)];
   }
+  /// Index of a brick of the box by its place, x fastest.
   std::size_t flat(const Cell& p) const {
     return (static_cast<std::size_t>(p.z()) * bricks.y() + p.y()) * bricks.x() + p.x();
   }

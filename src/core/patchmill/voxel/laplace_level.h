@@ -30,6 +30,7 @@ enum class CellRole : std::uint8_t {
   Held      ///< its value is given
 };
 
+/// One grid of the multigrid solver.
 struct LaplaceLevel {
   const BrickTable* table = nullptr;
   BrickTable own_table;                  ///< on coarser levels; `table` points here

@@ -18,11 +18,13 @@
 
 namespace patchmill::voxel {
 
+/// When the solver ends.
 struct LaplaceOptions {
   double tolerance = 1e-8;  ///< of the residual's 2-norm, relative to the first; [1e-13, 1)
   int max_iterations = 200;
 };
 
+/// How it ended.
 struct LaplaceOutcome {
   bool converged = false;
   bool cancelled = false;

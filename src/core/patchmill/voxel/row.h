@@ -13,16 +13,20 @@ namespace patchmill::voxel {
 typedef float Row __attribute__((vector_size(32)));
 typedef std::int32_t RowMask __attribute__((vector_size(32)));  ///< -1 where true
 #else
+/// One truth for each lane; -1 where true.
 struct RowMask {
   std::int32_t lane[8];
 };
+/// Eight floats side by side.
 struct Row {
   float lane[8];
+  /// Lane by lane.
   Row operator+(const Row& o) const {
     Row sum;
     for (int i = 0; i < 8; ++i) sum.lane[i] = lane[i] + o.lane[i];
     return sum;
   }
+  /// Lane by lane.
   Row operator*(const Row& o) const {
     Row product;
     for (int i = 0; i < 8; ++i) product.lane[i] = lane[i] * o.lane[i];

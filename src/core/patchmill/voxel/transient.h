@@ -14,6 +14,7 @@ namespace patchmill::voxel {
 /// Along which axes a field diffuses.
 enum class DiffusionAxes { X, Y, Z, All };
 
+/// How long diffusion goes on, and in which steps.
 struct TransientOptions {
   double time = 0.0;         ///< to diffuse for [s], > 0
   double step = 0.0;         ///< dt [s], > 0; shortened so that whole steps make up `time`

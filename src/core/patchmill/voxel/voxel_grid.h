@@ -28,15 +28,19 @@ struct GridFrame {
   double pitch = 0.0;          ///< side of a voxel [mm], > 0
   Cell cells = Cell::Zero();
 
+  /// Middle of a voxel [mm].
   Vec3 centre(const Cell& c) const {
     return origin + pitch * (c.cast<double>() + Vec3::Constant(0.5));
   }
   /// Position in units of cells: whole numbers at cell corners.
   Vec3 in_cells(const Vec3& p) const { return (p - origin) / pitch; }
+  /// The cell that holds a point [mm], also one beyond the box.
   Cell cell_at(const Vec3& p) const { return in_cells(p).array().floor().cast<int>(); }
+  /// How many cells the box has.
   double box_cells() const { return cells.cast<double>().prod(); }
 };
 
+/// The voxel model: what each voxel is.
 struct VoxelGrid {
   GridFrame frame;
   BrickTable table;             ///< bricks that hold anything but Air alone or Part alone
@@ -44,6 +48,7 @@ struct VoxelGrid {
   std::vector<std::uint8_t>
       solid_bricks;  ///< per brick of the box: 1 where a brick not stored is Part
 
+  /// What a voxel is; Air beyond the box.
   VoxelKind at(const Cell& cell) const;
 };
 
@@ -56,6 +61,7 @@ struct MemoryEstimate {
   double fields =
       0.0;  ///< of every stored voxel: feed (three doubles), posture (floats), material (a byte)
   double solver = 0.0;  ///< what solving the posture, done first, takes beyond that
+  /// All of it.
   double total() const { return grid + fields + solver; }
 };
 

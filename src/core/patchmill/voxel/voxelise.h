@@ -17,6 +17,7 @@
 
 namespace patchmill::voxel {
 
+/// How shapes are made voxels.
 struct VoxelOptions {
   double pitch = 0.0;                              ///< side of a voxel [mm], > 0
   double memory_limit = 4.0 * 1024 * 1024 * 1024;  ///< for the model and all fields [bytes]

@@ -65,6 +65,7 @@ struct CommentRules {
 enum class LeadRule : std::uint8_t { None, AlongPath, LongestAxis };
 enum class BlockForm : std::uint8_t { Words, PlainText };
 
+/// What a control can do.
 struct Abilities {
   LeadRule lead = LeadRule::None;
   std::string_view lead_letters = "";  ///< one, or those of X, Y and Z
@@ -108,6 +109,7 @@ struct Control;
 using WordReader = std::vector<GcodeWord> (*)(const Control& control, std::string_view line,
                                               long number);
 
+/// A control: its words, its texts and how it is read.
 struct Control {
   std::string_view name;   ///< in machine files, posts and macros
   std::string_view title;  ///< as its users call it

@@ -18,9 +18,11 @@ struct PlacedChart {
   double cosine = 1.0, sine = 0.0;
   Vec2 shift = Vec2::Zero();
 
+  /// From the chart's own plane to that of its window [mm].
   Vec2 to_plane(const Vec2& own) const {
     return Vec2(cosine * own.x() - sine * own.y(), sine * own.x() + cosine * own.y()) + shift;
   }
+  /// The way back [mm].
   Vec2 to_own(const Vec2& plane) const {
     const Vec2 p = plane - shift;
     return {cosine * p.x() + sine * p.y(), cosine * p.y() - sine * p.x()};
@@ -33,6 +35,7 @@ struct AtlasStart {
   Angle rotation;  ///< of the lattice against the face's lines of constant v, seen from outside
 };
 
+/// Charts that cover a set of faces.
 struct Atlas {
   std::vector<PlacedChart>
       charts;         ///< in the order in which they were joined; the start is in the first

@@ -14,6 +14,7 @@ namespace patchmill::patch {
 class ChartLookup;
 struct ChartMesh;
 
+/// A rectangle of a face spread out flat.
 class Chart {
  public:
   /// Where a place of the plane is on the face.
@@ -35,9 +36,12 @@ class Chart {
   Vec2 flat(const Vec2& uv) const;
   /// The way back; nothing beyond the rectangle.
   std::optional<Place> uv(const Vec2& flat) const;
+  /// Position and normal of the face at parameters.
   SurfacePoint point(const Vec2& uv) const;
 
+  /// The face that it is of.
   const CurvedFace& face() const { return *face_; }
+  /// Its rectangle of the face's parameters.
   const Box2& rectangle() const { return rectangle_; }
   const Box2& bounds() const { return bounds_; }  ///< in the plane, of what is near the face [mm]
   const Vec2& middle() const {
@@ -49,6 +53,7 @@ class Chart {
   }  ///< distances on the face are so much longer, on average
   /// Dimples round a closed face, and their distance along it [mm]; 0 if it is not closed so.
   int round_count() const { return round_count_; }
+  /// Distance of dimples round a closed face [mm]; 0 if it is not closed so.
   double round_spacing() const { return round_spacing_; }
   /// Share of a lattice cell's worth that is on the face: 1 / (spread² / the change that closes it).
   double density() const { return squeeze_ / (spread_ * spread_); }

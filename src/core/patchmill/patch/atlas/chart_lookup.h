@@ -8,17 +8,23 @@
 
 namespace patchmill::patch {
 
+/// Goes between the parameters of a face and the places of its chart.
 class ChartLookup {
  public:
   /// `flat` are the places of the mesh's vertices, `fit` says of each triangle whether it is of use.
   ChartLookup(const CurvedFace& face, ChartMesh mesh, std::vector<Vec2> flat,
               std::vector<char> fit);
 
+  /// Place in the plane [mm] of parameters.
   Vec2 flat(const Vec2& uv) const;
+  /// Parameters of a place in the plane [mm]; nothing beyond the mesh.
   std::optional<Chart::Place> uv(const Vec2& flat) const;
 
+  /// The mesh over the parameters.
   const ChartMesh& mesh() const { return mesh_; }
+  /// Places in the plane of the mesh's vertices [mm].
   const std::vector<Vec2>& places() const { return flat_; }
+  /// Of all places [mm].
   const Box2& bounds() const { return bounds_; }
 
  private:

@@ -8,11 +8,14 @@
 
 namespace patchmill::patch {
 
+/// Triangles over the parameters of a face.
 struct ChartMesh {
+  /// A corner of a triangle.
   struct Corner {
     int vertex = 0;
     Vec2 uv;  ///< as seen from its triangle: at a pole each triangle has its own
   };
+  /// Its three corners.
   using Triangle = std::array<Corner, 3>;
   /// Two vertices with the distance between them along the face.
   struct Edge {

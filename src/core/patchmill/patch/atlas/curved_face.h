@@ -18,6 +18,7 @@ struct Development {
   std::function<Vec2(const Vec2& flat)> uv;  ///< parameters of a place in the plane
 };
 
+/// A trimmed face as an atlas asks it.
 class CurvedFace {
  public:
   virtual ~CurvedFace() = default;

@@ -11,13 +11,16 @@
 
 namespace patchmill::patch {
 
+/// A hash of lattice points.
 struct LatticePointHash {
+  /// The hash of a point.
   std::size_t operator()(const LatticePoint& p) const {
     return static_cast<std::size_t>(p[0]) * 0x9e3779b97f4a7c15ull ^
            static_cast<std::size_t>(p[1]) * 0xc2b2ae3d27d4eb4full;
   }
 };
 
+/// A lattice laid on the charts of an atlas.
 class LaidLattice {
  public:
   /// Nearest distance of dimples over the spacing that is laid.
@@ -38,8 +41,11 @@ class LaidLattice {
   /// The patches that have lattice points, window by window.
   PatchDivision cover(std::int64_t max_dimples = 20000000) const;
 
+  /// The charts that it lies on.
   const Atlas& atlas() const { return atlas_; }
+  /// How many points were left out because others are too near.
   std::int64_t crowded() const { return crowded_; }
+  /// How many points it has.
   std::size_t size() const { return points_.size(); }
 
  private:

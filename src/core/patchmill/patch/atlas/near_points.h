@@ -12,11 +12,13 @@
 
 namespace patchmill::patch {
 
+/// Points by the cubes that they are in.
 class NearPoints {
  public:
   /// `cube` [mm], > 0: side of a cube, and the greatest distance that can be asked for.
   explicit NearPoints(double cube) : cube_(cube) {}
 
+  /// Adds a point [mm] with its number.
   void add(const Vec3& p, std::size_t number) { cubes_[key(p)].push_back({p, number}); }
 
   /// Calls `see(number, squared distance)` for all points within a cube's side of `p`, and some further ones.

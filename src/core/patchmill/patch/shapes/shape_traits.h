@@ -20,12 +20,14 @@ enum class PatchShape : std::uint8_t { PATCHMILL_PATCH_SHAPES(PATCHMILL_SHAPE_NA
 struct PatchSize {
   int side = 0;
   int across = 0;  ///< along the other side, of shapes that have two
+  /// Of shapes with one side the second counts for nothing.
   constexpr PatchSize(int along_side, int along_other = 0)
       : side(along_side), across(along_other) {}
 };
 
 using Polygon = std::vector<Vec2>;
 
+/// All that is asked of a patch shape.
 struct ShapeTraits {
   const char* name;  ///< as users choose it
   LatticeKind lattice;
