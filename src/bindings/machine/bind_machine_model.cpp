@@ -109,7 +109,7 @@ void bind_paths(py::module_& m) {
       },
       py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("rule"), py::arg("model"),
       py::arg("decimals"), py::call_guard<py::gil_scoped_release>(),
-      "(path, least height of the ball between rows when a tooth comes by [mm]). Raises InputError "
+      "(path, least height of the ball between rows when a tooth passes [mm]). Raises InputError "
       "naming Lift, SafeHeight, ClearanceHeight, Turning, ToolAxis, Spacing, MaxVelocity or "
       "Decimals.");
   m.def(

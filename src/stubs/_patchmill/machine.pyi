@@ -197,7 +197,7 @@ def match_plan(read: _patchmill.path.ToolPath, plan: _patchmill.path.ToolPath, t
     """Gives the moves of `read` the kinds and dimple numbers of `plan`, in place. Raises InputError naming Tolerance."""
     ...
 def paced_path(dimples: _patchmill.patch.Dimples, tool: _patchmill.path.Tool, spindle: _patchmill.path.Spindle, rule: PacedRule, model: MotionModel, decimals: int) -> tuple[_patchmill.path.ToolPath, float]:
-    """(path, least height of the ball between rows when a tooth comes by [mm]). Raises InputError naming Lift, SafeHeight, ClearanceHeight, Turning, ToolAxis, Spacing, MaxVelocity or Decimals."""
+    """(path, least height of the ball between rows when a tooth passes [mm]). Raises InputError naming Lift, SafeHeight, ClearanceHeight, Turning, ToolAxis, Spacing, MaxVelocity or Decimals."""
     ...
 def phase_period(flutes: int, rule: _patchmill.sync.PhaseRule) -> float:
     """The spindle angle [rad] after which a flute is where one was. Raises InputError naming Flutes."""

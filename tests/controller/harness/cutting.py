@@ -27,7 +27,7 @@ class Places:
 
 @dataclasses.dataclass
 class Mark:
-    """A tooth that came by with the ball in reach of the surface, away from every dimple."""
+    """A tooth that passed with the ball in reach of the surface, away from every dimple."""
     time: float
     clearance: float  # of the ball's deepest point above the surface, mm
     distance: float   # from the nearest dimple, mm
@@ -91,7 +91,7 @@ def places(edge, report, points, normals):
 
 def unwanted_marks(edge, report, points, normals, reach, spacing):
     """Teeth that pass over the surface nearer than `reach` [mm], further than a fifth of `spacing`
-    from every dimple. Between rows the ball has to clear the ridges when a tooth comes by."""
+    from every dimple. Between rows the ball has to clear the ridges when a tooth passes."""
     lifted = points + edge.radius * normals  # ball centres on the dimples
     time = numpy.arange(report.time[0] - WINDOW, report.time[-1] + WINDOW, 2e-4)
     centre = edge.centre(time)

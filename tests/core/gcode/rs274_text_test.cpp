@@ -52,13 +52,13 @@ RC_GTEST_PROP(Rs274Text, ReadsBackWithItsPlacesAndTurns,
   RC_ASSERT(read.sections.size() == 1u);
   const ToolPath& back = read.sections[0].path;
   RC_ASSERT(back.moves.size() == path.moves.size() + 1);  // the rapid to the start comes first
-  double owed = 0.0;
+  double left_over = 0.0;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     RC_ASSERT((back.moves[i + 1].end.tip - path.moves[i].end.tip).norm() < 1e-9);
     RC_ASSERT(read.sections[0].lines[i + 1] == program.lines[i]);
-    owed += back.moves[i + 1].turns - path.moves[i].turns;
-    // K carries its rounding on: that of the last word is all that is ever owed; F has digits enough
-    RC_ASSERT(std::abs(owed) < 1e-6);
+    left_over += back.moves[i + 1].turns - path.moves[i].turns;
+    // K carries its rounding on: that of the last word is all that is ever left over; F has digits enough
+    RC_ASSERT(std::abs(left_over) < 1e-6);
   }
 }
 

@@ -95,7 +95,7 @@ RC_GTEST_PROP(PacedPath, NeverGouges, (unsigned seed)) {
   }
 }
 
-// When a tooth comes by between rows, the ball is off the surface.
+// When a tooth passes between rows, the ball is off the surface.
 TEST(PacedPath, IsClearWhenATeethComesByBetweenRows) {
   const BallSurface surface = surface_of(0);
   const patch::Dimples dimples = random_dimples(0, 6);

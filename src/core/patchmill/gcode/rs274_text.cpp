@@ -113,11 +113,11 @@ class Writer {
     line(fmt::format("G1 {} F{:.{}f}", place, (timed ? 1.0 : length) / minutes / feed_unit_,
                      feed_decimals));
   }
-  /// K on its decimals; the turns that rounding adds or takes are owed to the next move.
+  /// K on its decimals; the turns that rounding adds or takes are made up for in the next move.
   double posted_pitch(std::size_t i, double length) {
-    const double turns = length / pitches_[i] + owed_;
+    const double turns = length / pitches_[i] + left_over_;
     const double pitch = std::round(length / turns / kPitchUnit) * kPitchUnit;
-    owed_ = turns - length / pitch;
+    left_over_ = turns - length / pitch;
     return pitch;
   }
 
@@ -129,7 +129,7 @@ class Writer {
   std::vector<double> tolerances_, pitches_;
   std::string tolerance_;
   bool inverse_ = false, turning_ = false;
-  double owed_ = 0.0;
+  double left_over_ = 0.0;
   long count_ = 0;
   Rs274Text result_;
 };

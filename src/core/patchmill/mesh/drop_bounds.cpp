@@ -41,7 +41,7 @@ inline float to_box(const DropNode& node, const DropBall& ball, int i) {
   return dx * dx + dy * dy;
 }
 
-// From the ball's axis to the place where it would touch the lid of child i.
+// From the ball's axis to the place where it would touch the upper bounding plane of child i.
 struct Ahead {
   float x, y;
 };
@@ -70,8 +70,8 @@ inline float from_sides(const DropLeaf& leaf, const DropBall& ball, const Ahead&
   return most * most;
 }
 
-// What the ball's centre falls by, at least, for a contact with the lid that is a length from the lid's place:
-// squared in the plan, and on the lid itself if that is known, else in the plan again.
+// What the ball's centre falls by, at least, for a contact that is a length away from where the upper bounding plane would hold it:
+// squared in the plan, and on that plane itself if that is known, else in the plan again.
 inline float fall(const DropNode& node, const DropBall& ball, float in_plan, float on_lid, int i) {
   const float curve = ball.half_curve * node.stretch[i], tilt = 1.0f + std::sqrt(on_lid) * curve;
   return larger(in_plan * ball.half_curve, on_lid * curve / (tilt * tilt));
@@ -84,11 +84,11 @@ inline unsigned bits_above(const DropNode::Row& value, float limit) {
   return bits;
 }
 
-// What bounds child i for a ball over a place or a box of places. `from_sides` tells the squared distance on the lid
+// What bounds child i for a ball over a place or a box of places. `from_sides` tells the squared distance on the plane
 // from its place to a single triangle, or 0.
 struct Limits {
   float d2,
-      down;  // squared distance to the box; what the ball falls by from where the lid would hold it
+      down;  // squared distance to the box; what the ball falls by from where the upper bounding plane would hold it
   float on_box;  // how high the box can hold it; sqrt(R^2 - d^2) <= R - d^2 / 2R
 };
 template <typename FromSides>
@@ -123,7 +123,7 @@ inline unsigned bounds(const DropNode& node, const DropBall& ball, float best, D
   return bits_above(found, best);
 }
 
-// Over the box a lid lies above the floor by no more than in the middle and, for each half side, the difference
+// Over the box an upper bounding plane lies above the floor by no more than in the middle and, for each half side, the difference
 // of slopes; and the floor is no lower than in the middle less its own slope.
 template <typename FromSides>
 inline unsigned above_floor(const DropNode& node, const DropFloor& floor,

@@ -2,7 +2,7 @@
 // how high). A node has eight children, side by side in vectors of floats (shallow trees: Dammertz, Hanika &
 // Keller 2008, section 3); a leaf has up to eight triangles. Of all triangles under a child it keeps
 //   - their box;
-//   - their lid, a plane z = g . p + h over all of them, g their mean slope;
+//   - their upper bounding plane, z = g . p + h over all of them, g their mean slope;
 // and a leaf of each triangle, for the plane z = g . p + h that it lies in,
 //   - its three sides, lines in the plan: side(p) = n . p + c is 0 or less for p over the triangle, and beyond a side
 //     the distance to it along the plane.
@@ -29,7 +29,7 @@ struct alignas(64) DropNode {
   /// One value for each child.
   using Row = float[kDropWidth];
   Row lo_x, hi_x, lo_y, hi_y, top;        ///< box; an unused child has lo > hi
-  Row slope_x, slope_y, height, stretch;  ///< lid; stretch = sqrt(1 + |slope|^2)
+  Row slope_x, slope_y, height, stretch;  ///< upper bounding plane; stretch = sqrt(1 + |slope|^2)
   std::int32_t
       child[kDropWidth];  ///< of a node: >= 0 a node, below: ~ a leaf; of a leaf: a triangle
 };

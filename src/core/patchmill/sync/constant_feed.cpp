@@ -38,7 +38,7 @@ void step(PathAccount& build, const PlannedDimple& a, const PlannedDimple& b, do
             "least {:.3f} mm/min, or more extra turns.",
             turns, turns / turns_per_mm, b.number, distance, 60.0 * feed * distance / length));
   const Vec3 ideal = apex(a.tip, b.tip, a.normal + b.normal, length);
-  build.owe(turns);
+  build.require_turns(turns);
   build.timed(fit_corner(a.tip, ideal, b.tip, length, decimals, kGoodFit), MoveKind::Cut);
   build.timed(b.tip, MoveKind::Cut, b.number);
 }

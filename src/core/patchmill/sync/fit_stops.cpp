@@ -94,12 +94,12 @@ class Fitter {
       planned += duration(moves[i], fit_.path.spindle);
       link = link || moves[i].kind == MoveKind::Link;
       if (moves[i].pace != Pace::Feed || std::isnan(moves[i].turns)) {
-        owed_ = 0.0;  // a rapid between dimples begins a new run
+        left_over_ = 0.0;  // a rapid between dimples begins a new run
         return;
       }
     }
     const double lowest = link ? 1.0 : kFlattest;
-    double wanted = planned + owed_;
+    double wanted = planned + left_over_;
     const double least = total(first, last, lowest);
     for (int i = 0; i < kMostAdded && wanted < least - 0.5 * model_.period; ++i) {
       wanted += phase_seconds_;
@@ -112,8 +112,8 @@ class Fitter {
     }
     const std::vector<Vec3> tips = drawn(first, last, high);
     for (std::size_t i = first; i < last; ++i) moves[i].end.tip = tips[i - first];
-    owed_ = wanted - total(first, last, 1.0);
-    fit_.largest_off = std::max(fit_.largest_off, std::abs(owed_));
+    left_over_ = wanted - total(first, last, 1.0);
+    fit_.largest_off = std::max(fit_.largest_off, std::abs(left_over_));
   }
 
   void retime() {
@@ -128,7 +128,7 @@ class Fitter {
   const machine::MotionModel& model_;
   const Decimals& decimals_;
   double feed_, phase_seconds_;
-  double owed_ = 0.0;
+  double left_over_ = 0.0;
   StopFit fit_;
 };
 

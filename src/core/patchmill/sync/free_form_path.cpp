@@ -1,4 +1,4 @@
-// Constant feed along the helix, and where its teeth come by; see free_form_path.h.
+// Constant feed along the helix, and where its teeth pass; see free_form_path.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/sync/free_form_path.h"
 
@@ -93,7 +93,7 @@ ToolPath free_form_path(const patch::FreeTexture& texture, const patch::Dimples&
     const bool next = before && dimple.patch == before->patch && &dimple == before + 1;
     if (next) {
       const double wanted = build.length_for(tooth);
-      build.owe(tooth);
+      build.require_turns(tooth);
       const double from = s - f_z + slip;
       slip += wanted - f_z;
       const Vec3 mark = tips.at(s + slip);
@@ -161,7 +161,7 @@ std::vector<patch::MeasuredPhase> measure_phase(const ToolPath& path,
   const double tooth = 1.0 / path.tool.flutes;
   std::vector<patch::HelixMark> marks;
   double turns = 0.0;             // since the patch's first mark
-  std::int64_t tooth_number = 0;  // that comes by next
+  std::int64_t tooth_number = 0;  // that passes next
   bool inside = false;
   int side = 0;
   auto come_by = [&](const Vec3& tip, double depth) {

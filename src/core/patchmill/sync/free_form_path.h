@@ -23,7 +23,7 @@ ToolPath free_form_path(const patch::FreeTexture& texture, const patch::Dimples&
                         const Decimals& decimals);
 
 /// Phase differences of neighbouring passes of patch number `patch` as a path makes them: teeth are
-/// counted along its moves from the patch's first mark on, where each comes by is brought back to the
+/// counted along its moves from the patch's first mark on, where each passes is brought back to the
 /// patch's plane, and measure_phase() compares the passes. Knows the path's moves and the helix' sides,
 /// not where marks were planned. `dimples` gives the depth. Moves of unknown duration end it. Errors:
 /// InputError naming Dimples (not the texture's), Patch or Dimple (a number that there is not).

@@ -35,7 +35,7 @@ void require_valid(const PacedRule& rule, std::size_t dimples, const Tool& tool,
   for (const double seconds : rule.turning) require_in_range("Turning", seconds, 0.0, 1e6, "s");
   if (rule.phase.flutes == FluteChoice::Same && tool.flutes > 1)
     throw InputError("Flutes", "same",
-                     "on a paced path every flute comes by in turn: allow any flute, or use the "
+                     "on a paced path every flute passes in turn: allow any flute, or use the "
                      "constant-feed strategy.");
   if (rule.pace == Pace::SpindleLocked && !model.spindle_lock)
     throw InputError("SpindleLock", "no",

@@ -1,4 +1,4 @@
-// Paced paths: the tool goes straight from dimple to dimple and a tooth comes by at each. Two ways
+// Paced paths: the tool goes straight from dimple to dimple and a tooth passes at each. Two ways
 // to keep the pace,
 //     feed per move   F_k = d_k / T_k
 //     spindle-locked  K_k = d_k / Lambda_k   (mm per turn, G33: the encoder keeps the phase)
@@ -40,7 +40,7 @@ struct PacedPath {
       arrivals;                ///< dimples, counted in milling order, that each of them ends on
   double row_tolerance = 0.0;  ///< corner rounding in the rows [mm]
   double clearance =
-      0.0;  ///< least height of the ball over the surface when a tooth comes by between
+      0.0;  ///< least height of the ball over the surface when a tooth passes between
             ///< rows [mm]; less than the ridges' height means marks nobody asked for
 };
 

@@ -23,11 +23,11 @@ class PathAccount {
   /// Where the tool is [mm].
   const Vec3& at() const { return at_; }
   /// Length that the next step must have so that no error is carried on [mm].
-  double length_for(double turns) const { return (owed_ + turns) / turns_per_mm_; }
+  double length_for(double turns) const { return (required_ + turns) / turns_per_mm_; }
   /// Adds turns that the next moves have to spend.
-  void owe(double turns) { owed_ += turns; }
-  /// Reduces what is owed by whole periods.
-  void forgive(double period) { owed_ -= std::round(owed_ / period) * period; }
+  void require_turns(double turns) { required_ += turns; }
+  /// Takes whole periods off the turns still to be spent.
+  void drop_whole_periods(double period) { required_ -= std::round(required_ / period) * period; }
 
   /// A move without a time, to `tip` [mm].
   void rapid(const Vec3& tip) {
@@ -43,7 +43,7 @@ class PathAccount {
                                    tip.z()));
     const double turns = (tip - at_).norm() * turns_per_mm_;
     path_.moves.push_back({pose(tip), turns, dimple, kind});
-    owed_ -= turns;
+    required_ -= turns;
     at_ = tip;
   }
   /// Rapids and a plunge to the first dimple, which is phase zero; from `clearance` over it.
@@ -54,18 +54,18 @@ class PathAccount {
     rapid(above);
     rapid({first.x(), first.y(), safe});
     timed(first, MoveKind::Link, dimple);
-    owed_ = 0.0;
+    required_ = 0.0;
   }
   /// A link (Eq. 3) to a dimple that wants so many turns but for whole periods.
   void link(const Vec3& to, std::int32_t dimple, double turns, double period,
             const Decimals& decimals) {
     const LinkRequest request{at_, to, safe_height_, length_for(turns), period / turns_per_mm_};
     const auto corners = link_corners(request, decimals);
-    owe(turns);
+    require_turns(turns);
     timed(corners[0], MoveKind::Link);
     timed(corners[1], MoveKind::Link);
     timed(to, MoveKind::Link, dimple);
-    forgive(period);
+    drop_whole_periods(period);
   }
   /// Up to the safe height and, as a rapid, to the clearance height.
   void end(double clearance, const Decimals& decimals) {
@@ -79,7 +79,7 @@ class PathAccount {
   ToolPath& path_;
   double turns_per_mm_, safe_height_;
   Vec3 at_ = Vec3::Zero();
-  double owed_ = 0.0;
+  double required_ = 0.0;
 };
 
 }  // namespace patchmill::sync

@@ -1,5 +1,5 @@
 // The steps of a paced path from dimple to dimple, and which of them the tool goes straight on along: those in which
-// one tooth comes by and that the machine can follow. At all others it leaves the surface and comes back whole teeth
+// one tooth passes and that the machine can follow. At all others it leaves the surface and comes back whole teeth
 // later (turnaround.h): at corners, over missing dimples, where rotary axes turn, where a step would be too fast for an
 // axis, and where the contact azimuth runs away because normal and tool nearly meet, so that neighbouring steps would
 // need speeds too unlike for the machine to change between them.

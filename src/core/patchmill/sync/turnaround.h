@@ -23,11 +23,11 @@ struct TurnaroundShape {
   double out = 0.0;        ///< run of the ramp that leaves the surface, with the way to brake
   double run_in = 0.0;     ///< straight before the ramp that comes down, to gather speed
   double tolerance = 0.0;  ///< corner rounding at the ramps' ends
-  double clearance = 0.0;  ///< height above the surface when the next tooth comes by
+  double clearance = 0.0;  ///< height above the surface when the next tooth passes
 };
 
 /// A shape that can be followed at `speed` [mm/s] through dimples `step` apart: the ramps are as
-/// high as can be when the next tooth comes by, their roundings end before the dimple, the run-in
+/// high as can be when the next tooth passes, their roundings end before the dimple, the run-in
 /// is three times the way to reach the speed, and no stretch is so short that the controller
 /// swallows it in a rounding. `step`, `lift`, `speed` > 0.
 TurnaroundShape turnaround_shape(double step, double lift, double speed,
