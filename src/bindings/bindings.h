@@ -4,9 +4,13 @@
 #pragma once
 
 #include "patchmill/geometry/error.h"
-#include "patchmill/geometry/progress.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/geometry/vec.h"
 #include "patchmill/patch/helix.h"
+
+#include <functional>
+#include <optional>
+#include <type_traits>
 
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>
@@ -89,9 +93,38 @@ void bind_enum(py::module_& m, const char* name, const char* text,
 /// "Square", "Hexagon" or "Triangle".
 patch::PatchShape shape_of(const std::string& name);
 
-/// A Python callable (share -> bool) or None as Progress; takes the GIL for each call. A Python
-/// exception in it is raised when the long call returns.
-Progress progress_of(const py::object& callable);
+/// Does long work without the GIL in a thread of its own (stop.h), while this one looks for Ctrl-C and tells
+/// `callable` (share -> bool, or None) how far it is, at least each 100 ms. False if the callable returned False: what
+/// the work made is not whole then. Without a callable the innermost Watch of this thread is asked, and Cancelled is
+/// raised if it says no. What the callable raises, and KeyboardInterrupt, is raised after the work's end.
+bool watched(const py::object& callable, const std::function<void(const Progress&)>& work);
+
+/// A function that takes and gives nothing of Python's as one that Ctrl-C ends, and a Watch around it, without the
+/// GIL.
+template <class Function, class Result, class... Arguments>
+auto interruptible_as(Function function, Result (Function::*)(Arguments...) const) {
+  return [function](Arguments... arguments) -> Result {
+    if constexpr (std::is_void_v<Result>) {
+      watched(py::none(), [&](const Progress&) { function(arguments...); });
+    } else {
+      std::optional<Result> result;
+      watched(py::none(), [&](const Progress&) {
+        result.emplace(function(std::forward<Arguments>(arguments)...));
+      });
+      return std::move(*result);
+    }
+  };
+}
+template <class Function>
+auto interruptible(Function function) {
+  return interruptible_as(function, &Function::operator());
+}
+template <class Result, class... Arguments>
+auto interruptible(Result (*function)(Arguments...)) {
+  return interruptible([function](Arguments... arguments) -> Result {
+    return function(std::forward<Arguments>(arguments)...);
+  });
+}
 
 }  // namespace patchmill
 

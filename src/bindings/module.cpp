@@ -3,6 +3,8 @@
 #include "bindings/bindings.h"
 #include "patchmill/geometry/error.h"
 
+#include <locale.h>
+
 #include <pybind11/eval.h>
 #include <tbb/global_control.h>
 
@@ -51,12 +53,91 @@ void bind_numbers(py::module_& m, const char* name, const char* text,
   m.attr(name) = made;
 }
 
-Progress progress_of(const py::object& callable) {
-  if (callable.is_none()) return {};
-  return [callable](double share) {
-    const py::gil_scoped_acquire gil;
-    return callable(share).cast<bool>();
-  };
+namespace {
+
+/// Whose progress is asked by calls that are given none of their own: the innermost `with Watch(...)` of a thread.
+thread_local std::vector<class Watch*> watches;
+
+/// A progress that knows what it was told last.
+class Watch {
+ public:
+  explicit Watch(py::object progress) : progress_(std::move(progress)) {
+    if (!progress_.is_none() && !PyCallable_Check(progress_.ptr()))
+      throw InputError("Progress", py::str(progress_),
+                       "give a function of the share done, or None.");
+  }
+
+  bool tell(double share) {
+    share_ = share;
+    return goes_on();
+  }
+  bool goes_on() const { return progress_.is_none() || progress_(share_).cast<bool>(); }
+
+ private:
+  py::object progress_;
+  double share_ = 0.0;
+};
+
+[[noreturn]] void raise_cancelled() {
+  PyErr_SetNone(py::module_::import("_patchmill").attr("Cancelled").ptr());
+  throw py::error_already_set();
+}
+
+}  // namespace
+
+void bind_watch(py::module_& m) {
+  py::exec(R"(
+class Cancelled(Exception):
+    """Ends what is done within `with Watch(progress)` when `progress` returned False; goes no further."""
+)",
+           m.attr("__dict__"));
+  m.attr("Cancelled").attr("__module__") = "_patchmill";
+  py::class_<Watch>(m, "Watch",
+                    "with Watch(progress) as progress: all long calls within also ask `progress` "
+                    "(share -> bool, or None), and the "
+                    "block ends where it returns False.")
+      .def(py::init<py::object>(), py::arg("progress") = py::none())
+      .def("__call__", &Watch::tell, py::arg("share"))
+      .def(
+          "__enter__",
+          [](Watch& watch) -> Watch& {
+            watches.push_back(&watch);
+            return watch;
+          },
+          py::return_value_policy::reference)
+      .def("__exit__", [](Watch&, const py::object& type, const py::object&, const py::object&) {
+        watches.pop_back();
+        return type.is(py::module_::import("_patchmill").attr("Cancelled"));
+      });
+}
+
+bool watched(const py::object& callable, const std::function<void(const Progress&)>& work) {
+  std::optional<py::error_already_set> raised;
+  const locale_t numbers =
+      uselocale(nullptr);  // of this thread: the work's own writes numbers alike
+  bool done = false;
+  {
+    const py::gil_scoped_release release;
+    done = run_stoppable(
+        [&](const Progress& progress) {
+          uselocale(numbers);
+          work(progress);
+        },
+        [&](double share) {
+          const py::gil_scoped_acquire gil;
+          try {
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+            if (!callable.is_none()) return callable(share).cast<bool>();
+            if (watches.empty() || watches.back()->goes_on()) return true;
+            raise_cancelled();
+          } catch (py::error_already_set& error) {
+            raised.emplace(std::move(error));
+            return false;
+          }
+        });
+  }
+  if (raised) throw py::error_already_set(std::move(*raised));
+  return done;
 }
 
 namespace {
@@ -84,6 +165,7 @@ PYBIND11_MODULE(_patchmill, m) {
       "PatchMill's core, a submodule for each subject. mm, s, radians, revolutions per second.";
   bind_errors(m);
   bind_threads(m);
+  bind_watch(m);
   subject(m, "path", "Tools, spindles and tool paths.", {bind_path});
   subject(m, "patch", "Patches, lattices, masks and sizes of textures.",
           {bind_patch, bind_rows, bind_texture});

@@ -3,6 +3,7 @@
 #include "brep/face_projection.h"
 
 #include "patchmill/geometry/angle.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +119,7 @@ FaceProjection::Outcome FaceProjection::newton(const Vec2& q, const Seed& seed, 
 }
 
 std::optional<Hit> FaceProjection::first_hit(const Vec2& q, Worker& worker) const {
+  stop_point();
   worker.seeds.clear();
   seeds_.seeds(q, worker.seeds);
   std::optional<Hit> first;

@@ -4,6 +4,7 @@
 
 #include "brep/face_projection.h"
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <atomic>
@@ -14,7 +15,6 @@
 #include <Standard_Failure.hxx>
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill {
 
@@ -46,7 +46,7 @@ std::vector<patch::SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& p
   std::atomic<std::size_t> done{0};
   std::mutex reporting;
   const tbb::blocked_range<std::size_t> all(0, points.size(), 2048);
-  tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& part) {
+  patchmill::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& part) {
     if (stop) return;
     std::vector<FaceProjection::Worker> workers;
     for (const auto& face : faces_) workers.push_back(face->worker());

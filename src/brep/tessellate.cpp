@@ -3,6 +3,7 @@
 #include "brep/tessellate.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
+#include <Message_ProgressIndicator.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <Standard_Failure.hxx>
@@ -23,6 +25,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <fmt/format.h>
+#include <tbb/task.h>
 
 namespace patchmill {
 namespace {
@@ -55,6 +58,16 @@ struct MeshedFace {
   Handle(Poly_Triangulation) triangles;
   TopLoc_Location location;
   Index first = 0;  ///< node 1 of the face has this number
+};
+
+/// Tells the mesher to stop when the work that it is part of is to: its own threads do not know what they are part of.
+class StopOfMesher : public Message_ProgressIndicator {
+ public:
+  Standard_Boolean UserBreak() override { return work_ && work_->is_group_execution_cancelled(); }
+  void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
+
+ private:
+  tbb::task_group_context* work_ = tbb::task::current_context();
 };
 
 /// Gathers the faces' nodes and makes those one that the topology says are one.
@@ -194,7 +207,12 @@ Tessellation tessellate(const TopoDS_Shape& shape, const TessellationOptions& op
     parameters.Deflection = options.deflection;
     parameters.Angle = options.angle.radians();
     parameters.InParallel = true;
-    const BRepMesh_IncrementalMesh mesher(shape, parameters);
+    BRepMesh_IncrementalMesh mesher;
+    mesher.SetShape(shape);
+    mesher.ChangeParameters() = parameters;
+    const Handle(StopOfMesher) stop = new StopOfMesher;
+    mesher.Perform(stop->Start());
+    stop_point();
     for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
       assembly.add(TopoDS::Face(e.Current()), faces++);
   } catch (const Standard_Failure& error) {

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/dimple_nodes.h"
 
+#include "patchmill/geometry/stop.h"
 #include "scene/shapes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::scene {
 namespace {
@@ -106,7 +105,7 @@ Display dimple_display(const patch::Dimples& dimples, double radius) {
   for (const patch::Dimple& dimple : dimples)
     if (has_place(dimple)) shown.push_back(&dimple);
   Display display((shown.size() + kChunk - 1) / kChunk);
-  tbb::parallel_for(std::size_t{0}, display.size(), [&](std::size_t i) {
+  patchmill::parallel_for(std::size_t{0}, display.size(), [&](std::size_t i) {
     const std::size_t last = std::min(shown.size(), (i + 1) * kChunk);
     display[i] = node_of(chunk_of(shown, i * kChunk, last, radius)).file();
   });

@@ -3,6 +3,7 @@
 #include "scene/grid_nodes.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 #include "scene/colours.h"
 #include "scene/shapes.h"
 
@@ -10,8 +11,6 @@
 #include <array>
 #include <string>
 #include <vector>
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::scene {
 namespace {
@@ -128,7 +127,7 @@ Display grid_display(const Grid& grid) {
                      "give at least two rows and two columns.");
   const std::size_t down = (grid.rows - 2) / kCells + 1, across = (grid.columns - 2) / kCells + 1;
   Display display(down * across);
-  tbb::parallel_for(std::size_t{0}, display.size(), [&](std::size_t i) {
+  patchmill::parallel_for(std::size_t{0}, display.size(), [&](std::size_t i) {
     const std::size_t row = i / across * kCells, column = i % across * kCells;
     display[i] = node_of(chunk_of(grid, row, column)).file();
   });

@@ -60,6 +60,7 @@ call("BallEndMill", radius=1.0, flutes=2, cutting_length=4.0, shank_radius=1.0, 
      holder=[(20.0, 60.0, 10.0, 10.0)])
 call("Spindle", speed=16.0, sense="M3")
 call("ThreadLimit", threads=1)
+call("Watch", progress=None)
 call("make_path", tool=t.tool, spindle=t.spindle, start=(0.0, 0.0, 5.0), tips=ROWS3, axes=UP, kinds=[0, 1, 2],
      turns=[math.nan, 1.0, 1.0])
 call("joined", paths=[t.path, t.copy_path])

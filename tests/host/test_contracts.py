@@ -40,6 +40,7 @@ TAKES_ANY = {
     ("FaceSampler.sample", "points"): "off the faces",
     ("Mask.at", "places"): "0, or what the image has outside",
     ("SurfaceLattice.places", "points"): "NaN: beyond the lattice's end",
+    ("Watch", "progress"): "None: never stops",
     ("axes_at", "points"): "air",
     ("feed_at", "points"): "air",
     ("kinds_at", "points"): "air",

@@ -28,9 +28,7 @@ std::optional<LaidOnFaces> lay_on_faces(const patch::PatchPattern& pattern,
                                         const patch::TexturePlane& plane,
                                         const FaceSampler& sampler, double steepest,
                                         double rotation, const std::optional<Vec3>& start,
-                                        const py::object& progress) {
-  const Progress report = progress_of(progress);
-  const py::gil_scoped_release release;
+                                        const Progress& report) {
   require_in_range("SteepestSlope", Angle::radians(steepest).degrees(), 0.01, 90.0, "degrees");
   require_in_range("Rotation", Angle::radians(rotation).degrees(), -1e6, 1e6, "degrees");
   if (start) require_finite("Origin", *start, "mm");
@@ -53,16 +51,27 @@ std::optional<LaidOnFaces> lay_on_faces(const patch::PatchPattern& pattern,
   return LaidOnFaces{laid, patch::as_surface_lattice(laid, plane)};
 }
 
+std::optional<LaidOnFaces> watched_lay_on_faces(const patch::PatchPattern& pattern,
+                                                const std::vector<std::string>& breps,
+                                                const patch::TexturePlane& plane,
+                                                const FaceSampler& sampler, double steepest,
+                                                double rotation, const std::optional<Vec3>& start,
+                                                const py::object& progress) {
+  std::optional<LaidOnFaces> laid;
+  const bool done = watched(progress, [&](const Progress& report) {
+    laid = lay_on_faces(pattern, breps, plane, sampler, steepest, rotation, start, report);
+  });
+  return done ? std::move(laid) : std::nullopt;
+}
+
 }  // namespace
 
 void bind_atlas(py::module_& m) {
   py::class_<LaidOnFaces>(m, "LaidOnFaces", "A lattice laid on faces by their own parameters.")
       .def_property_readonly(
           "lattice", [](const LaidOnFaces& l) { return l.lattice; }, "The SurfaceLattice.")
-      .def(
-          "cover", [](const LaidOnFaces& l) { return l.laid->cover(); },
-          py::call_guard<py::gil_scoped_release>(),
-          "The patches that have lattice points. Raises nothing.")
+      .def("cover", interruptible([](const LaidOnFaces& l) { return l.laid->cover(); }),
+           "The patches that have lattice points. Raises nothing.")
       .def_property_readonly(
           "area", [](const LaidOnFaces& l) { return l.laid->atlas().area; },
           "Of the faces, inside their trimming [mm²].")
@@ -83,15 +92,14 @@ void bind_atlas(py::module_& m) {
       .def_property_readonly(
           "crowded", [](const LaidOnFaces& l) { return l.laid->crowded(); },
           "Lattice points too near to others where parts meet.");
-  m.def("lay_on_faces", &lay_on_faces, py::arg("pattern"), py::arg("breps"), py::arg("plane"),
-        py::arg("sampler"), py::arg("steepest"), py::arg("rotation") = 0.0,
+  m.def("lay_on_faces", &watched_lay_on_faces, py::arg("pattern"), py::arg("breps"),
+        py::arg("plane"), py::arg("sampler"), py::arg("steepest"), py::arg("rotation") = 0.0,
         py::arg("start") = py::none(), py::arg("progress") = py::none(),
         "The pattern's lattice on the faces, turned by `rotation` [rad] against their own lines, "
         "from "
         "the point `start` [mm] or the middle of the largest part. None if `progress` returned "
         "False. Raises InputError naming Origin, Base, Spacing, SteepestSlope or Rotation.");
-  m.def("keep_apart", &patch::keep_apart, py::arg("dimples"), py::arg("least"),
-        py::call_guard<py::gil_scoped_release>(),
+  m.def("keep_apart", interruptible(&patch::keep_apart), py::arg("dimples"), py::arg("least"),
         "Leaves out dimples nearer than `least` [mm] to one before them; returns how many. Raises "
         "InputError naming LeastDistance.");
   m.def(

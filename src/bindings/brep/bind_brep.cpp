@@ -26,17 +26,15 @@ FaceSampler sampler_of(const std::vector<std::string>& breps, const patch::Textu
 py::object place_dimples(const FaceSampler& sampler, const patch::PatchDivision& division,
                          const patch::TexturePlane& plane, const patch::PatchSurface& surface,
                          const patch::SurfaceLattice* lattice, const py::object& progress) {
-  const Progress report = progress_of(progress);
   std::optional<patch::Dimples> dimples;
-  {
-    const py::gil_scoped_release release;
+  const bool done = watched(progress, [&](const Progress& report) {
     const patch::SurfaceSampler sample = [&](const std::vector<Vec2>& places) {
       return sampler.sample(places);
     };
     dimples = lattice ? patch::sample_patches(division, plane, *lattice, sample, surface, report)
                       : patch::sample_patches(division, plane, sample, surface, report);
-  }
-  return dimples ? py::cast(std::move(*dimples)) : py::none();
+  });
+  return done && dimples ? py::cast(std::move(*dimples)) : py::none();
 }
 
 void keep_off_borders(patch::Dimples& dimples, const std::vector<std::string>& breps,
@@ -50,10 +48,7 @@ py::dict hits_dict(const FaceSampler& sampler, const Eigen::Matrix<double, -1, 2
   std::vector<Vec2> places;
   for (Eigen::Index i = 0; i < points.rows(); ++i) places.emplace_back(points.row(i));
   std::vector<patch::SurfaceSample> hits;
-  {
-    const py::gil_scoped_release release;
-    hits = sampler.sample(places);
-  }
+  watched(py::none(), [&](const Progress&) { hits = sampler.sample(places); });
   py::dict d;
   d["positions"] = rows_of(hits, [](const patch::SurfaceSample& h) { return h.point.position; });
   d["normals"] = rows_of(hits, [](const patch::SurfaceSample& h) { return h.point.normal; });
@@ -85,20 +80,19 @@ void bind_brep(py::module_& m) {
            py::arg("lattice") = py::none(), py::arg("progress") = py::none(),
            "Dimples of the division on the faces, projected or on a lattice laid on them, or None "
            "if `progress` returned False. Raises InputError naming HeightFactor or ApexLift.");
-  m.def(
-      "facing", [](const std::vector<std::string>& breps) { return facing(faces_of(breps)); },
-      py::arg("breps"), py::call_guard<py::gil_scoped_release>(),
-      "Unit vector to the side from which the faces look largest. Raises InputError naming "
-      "AutoDirection or Base.");
+  m.def("facing", interruptible([](const std::vector<std::string>& breps) {
+          return facing(faces_of(breps));
+        }),
+        py::arg("breps"),
+        "Unit vector to the side from which the faces look largest. Raises InputError naming "
+        "AutoDirection or Base.");
   m.def(
       "seen_best",
       [](const std::vector<std::string>& breps, const Vec3& preferred) {
         if (breps.empty()) throw InputError("Base", "no faces", "give those to be seen.");
         SeenBest found;
-        {
-          const py::gil_scoped_release release;
-          found = seen_best(faces_of(breps), preferred);
-        }
+        watched(py::none(),
+                [&](const Progress&) { found = seen_best(faces_of(breps), preferred); });
         py::dict d;
         d["direction"] = found.direction;
         d["even"] = found.even;
@@ -108,8 +102,8 @@ void bind_brep(py::module_& m) {
       "The direction along which the faces look largest, and whether they look to all sides alike, "
       "so that `preferred` or an axis was chosen: a dict of direction and even. Raises InputError "
       "naming Base or Direction.");
-  m.def("keep_off_borders", &keep_off_borders, py::arg("dimples"), py::arg("breps"),
-        py::arg("margin"), py::call_guard<py::gil_scoped_release>(),
+  m.def("keep_off_borders", interruptible(&keep_off_borders), py::arg("dimples"), py::arg("breps"),
+        py::arg("margin"),
         "Leaves out dimples nearer than `margin` [mm] to the border of the faces together. Raises "
         "InputError naming Base or Margin.");
 }

@@ -59,13 +59,15 @@ const char* name(collision::ClearanceOutcome outcome) {
 py::dict check(const ToolPath& path, const PartModel& part, double tolerance, double clearance,
                double resolution, std::size_t most_findings, std::size_t first_move, bool cutting,
                const py::object& progress) {
-  const Progress say = progress_of(progress);
   collision::ClearanceReport report;
-  {
-    const py::gil_scoped_release release;
+  const bool done = watched(progress, [&](const Progress& say) {
     report = collision::check_clearance(
         path, part.shape, {tolerance, clearance, resolution, most_findings, first_move, cutting},
         say);
+  });
+  if (!done) {
+    report = {};
+    report.reason = "The check was stopped before its end.";
   }
   if (!part.known) report.reason = part.reason;
   const auto& f = report.findings;
@@ -106,15 +108,12 @@ void bind_checks(py::module_& m) {
             return array;
           },
           "Indices into vertices, (m, 3).");
-  m.def(
-      "tessellate",
-      [](const std::string& brep, double deflection, double angle) {
-        return tessellate(read_shape(brep, "Shape"), {deflection, Angle::radians(angle)});
-      },
-      py::arg("brep"), py::arg("deflection"), py::arg("angle") = 0.35,
-      py::call_guard<py::gil_scoped_release>(),
-      "A shape, given as BREP text, as one mesh; `deflection` [mm], `angle` [rad]. Raises "
-      "InputError naming Shape, Deflection or DeflectionAngle.");
+  m.def("tessellate", interruptible([](const std::string& brep, double deflection, double angle) {
+          return tessellate(read_shape(brep, "Shape"), {deflection, Angle::radians(angle)});
+        }),
+        py::arg("brep"), py::arg("deflection"), py::arg("angle") = 0.35,
+        "A shape, given as BREP text, as one mesh; `deflection` [mm], `angle` [rad]. Raises "
+        "InputError naming Shape, Deflection or DeflectionAngle.");
   py::class_<PartModel>(m, "PartModel",
                         "The part as closed meshes; known is False if it could not be.")
       .def_readonly("known", &PartModel::known)
@@ -122,18 +121,17 @@ void bind_checks(py::module_& m) {
       .def_readonly("triangles", &PartModel::triangles)
       .def(
           "distances",
-          [](const PartModel& part, const Eigen::Matrix<double, -1, 3>& points) {
+          interruptible([](const PartModel& part, const Eigen::Matrix<double, -1, 3>& points) {
             if (!part.known) throw InputError("Part", "unknown", part.reason);
             Eigen::VectorXd out(points.rows());
             for (Eigen::Index i = 0; i < points.rows(); ++i)
               out[i] = part.shape.distance(points.row(i));
             return out;
-          },
-          py::arg("points"), py::call_guard<py::gil_scoped_release>(),
+          }),
+          py::arg("points"),
           "Signed distances [mm] of (n, 3) points, positive outside. Raises InputError naming Part "
           "if the model is not known.");
-  m.def("part_model", &part_model, py::arg("breps"), py::arg("deflection"),
-        py::call_guard<py::gil_scoped_release>(),
+  m.def("part_model", interruptible(&part_model), py::arg("breps"), py::arg("deflection"),
         "Meshes the solids of shapes given as BREP texts. Raises InputError naming Model or "
         "Deflection.");
   m.def("check_clearance", &check, py::arg("path"), py::arg("part"), py::arg("tolerance"),

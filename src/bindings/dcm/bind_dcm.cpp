@@ -144,37 +144,37 @@ void bind_grid(py::module_& m) {
       "Bytes foreseen, nothing allocated. `posture_fields`: 2 angles or 3 components; `materials`: "
       "whether there are other than the stock's own. Raises InputError naming voxel size or "
       "posture_fields.");
-  m.def(
-      "voxelise",
-      [](const Solid& stock, const Solid& part, double pitch, double limit, int posture_fields,
-         bool materials) {
-        return voxel::voxelise(stock.mesh, part.mesh,
-                               {pitch, limit, fields_of(posture_fields), materials});
-      },
-      py::arg("stock"), py::arg("part"), py::arg("pitch"),
-      py::arg("memory_limit") = voxel::VoxelOptions().memory_limit, py::arg("posture_fields") = 2,
-      py::arg("materials") = false, py::call_guard<py::gil_scoped_release>(),
-      "VoxelGrid with cubes of side `pitch` [mm]. Raises InputError naming part, voxel size, "
-      "posture_fields or removal volume.");
-  m.def(
-      "save_voxels",
-      [](const std::string& path, const std::string& key, const voxel::VoxelGrid& grid,
-         const dcm::PostureField* posture, const VoxelMaterials* materials) {
-        if (posture) dcm::require_over(grid, *posture);
-        if (materials) dcm::require_over(grid, materials->number);
-        dcm::VoxelModel model{grid, std::nullopt, {}};
-        if (posture) model.posture = *posture;
-        if (materials) model.material = materials->number;
-        dcm::write_voxel_model(path, key, model);
-      },
-      py::arg("path"), py::arg("key"), py::arg("grid"), py::arg("posture") = nullptr,
-      py::arg("materials") = nullptr, py::call_guard<py::gil_scoped_release>(),
-      "Writes a model to the file `path`; `key` says what it was made from. Raises InputError "
-      "naming voxel file, PostureField or Materials.");
+  m.def("voxelise",
+        interruptible([](const Solid& stock, const Solid& part, double pitch, double limit,
+                         int posture_fields, bool materials) {
+          return voxel::voxelise(stock.mesh, part.mesh,
+                                 {pitch, limit, fields_of(posture_fields), materials});
+        }),
+        py::arg("stock"), py::arg("part"), py::arg("pitch"),
+        py::arg("memory_limit") = voxel::VoxelOptions().memory_limit, py::arg("posture_fields") = 2,
+        py::arg("materials") = false,
+        "VoxelGrid with cubes of side `pitch` [mm]. Raises InputError naming part, voxel size, "
+        "posture_fields or removal volume.");
+  m.def("save_voxels",
+        interruptible([](const std::string& path, const std::string& key,
+                         const voxel::VoxelGrid& grid, const dcm::PostureField* posture,
+                         const VoxelMaterials* materials) {
+          if (posture) dcm::require_over(grid, *posture);
+          if (materials) dcm::require_over(grid, materials->number);
+          dcm::VoxelModel model{grid, std::nullopt, {}};
+          if (posture) model.posture = *posture;
+          if (materials) model.material = materials->number;
+          dcm::write_voxel_model(path, key, model);
+        }),
+        py::arg("path"), py::arg("key"), py::arg("grid"), py::arg("posture") = nullptr,
+        py::arg("materials") = nullptr,
+        "Writes a model to the file `path`; `key` says what it was made from. Raises InputError "
+        "naming voxel file, PostureField or Materials.");
   m.def(
       "load_voxels",
       [](const std::string& path, const std::string& key) -> py::object {
-        std::optional<dcm::VoxelModel> model = dcm::read_voxel_model(path, key);
+        std::optional<dcm::VoxelModel> model;
+        watched(py::none(), [&](const Progress&) { model = dcm::read_voxel_model(path, key); });
         if (!model) return py::none();
         const py::object posture =
             model->posture ? py::cast(std::move(*model->posture)) : py::none();
@@ -209,22 +209,21 @@ void bind_dcm(py::module_& m) {
   bind_grid(m);
   m.def(
       "steady_feed",
-      [](const voxel::VoxelGrid& grid, double low, double high, const std::string& exterior) {
-        return dcm::steady_feed(grid, {low, high}, exterior_rule(exterior));
-      },
+      interruptible(
+          [](const voxel::VoxelGrid& grid, double low, double high, const std::string& exterior) {
+            return dcm::steady_feed(grid, {low, high}, exterior_rule(exterior));
+          }),
       py::arg("grid"), py::arg("low"), py::arg("high"), py::arg("exterior") = "Held",
-      py::call_guard<py::gil_scoped_release>(),
       "FeedField between V_Lo and V_Hi [mm/s]. Raises InputError naming lower feed, upper feed or "
       "Exterior.");
   m.def(
       "diffuse_feed",
-      [](const voxel::VoxelGrid& grid, double low, double high, double time, double step,
-         double diffusivity, bool substep, const std::string& exterior) {
+      interruptible([](const voxel::VoxelGrid& grid, double low, double high, double time,
+                       double step, double diffusivity, bool substep, const std::string& exterior) {
         return transient_feed(grid, {low, high}, exterior, {time, step, diffusivity, substep});
-      },
+      }),
       py::arg("grid"), py::arg("low"), py::arg("high"), py::arg("time"), py::arg("step"),
       py::arg("diffusivity"), py::arg("substep") = false, py::arg("exterior") = "Held",
-      py::call_guard<py::gil_scoped_release>(),
       "(FeedField after `time` [s], steps taken); steps beyond the limit are refused or divided. "
       "Raises InputError naming lower feed, upper feed, Exterior, diffusion time, time step, "
       "number of time steps or diffusion coefficient.");
@@ -233,9 +232,12 @@ void bind_dcm(py::module_& m) {
       [](const voxel::VoxelGrid& grid, const Solid& part, const std::string& form,
          const std::string& exterior, double limit, double crease, const py::object& progress) {
         const dcm::PostureOptions options = posture_options(form, exterior, limit, crease);
-        const Progress report = progress_of(progress);
-        const py::gil_scoped_release release;
-        return dcm::steady_posture(grid, part.mesh, part.bvh, options, report);
+        dcm::PostureField made;
+        const bool done = watched(progress, [&](const Progress& report) {
+          made = dcm::steady_posture(grid, part.mesh, part.bvh, options, report);
+        });
+        if (!done) made.outcome.cancelled = true;
+        return made;
       },
       py::arg("grid"), py::arg("part"), py::arg("form") = "Angles", py::arg("exterior") = "Held",
       py::arg("limit") = dcm::PostureOptions().limit.radians(),

@@ -71,10 +71,9 @@ py::tuple apply(const ToolPath& path, const voxel::VoxelGrid& grid, const dcm::F
     };
   std::vector<std::int64_t> source;
   ToolPath out;
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     out = dcm::apply_dcm(path, grid, feed, posture, options, &source);
-  }
+  });
   return py::make_tuple(std::move(out), source_array(source), not_clear);
 }
 
@@ -93,11 +92,10 @@ py::dict steps_dict(const ToolPath& path) {
 py::dict clearance_dict(const Solid& part, const Sections& holder, const ToolPath& path,
                         double clearance, double step) {
   collision::PathClearance found;
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     found = collision::path_clearance(part.bvh, holder_of(holder), path,
                                       clear_options(clearance, kPi), step);
-  }
+  });
   py::dict d;
   d["least"] = found.least;
   d["move"] = found.move;
@@ -155,9 +153,11 @@ void bind_copy(py::module_& m) {
   m.def(
       "copy_mill",
       [](const Solid& part, const copy::CopyOptions& options, const py::object& progress) {
-        const Progress report = progress_of(progress);
-        const py::gil_scoped_release release;
-        copy::CopiedPath made = copy::copy_mill(part.bvh, options, report);
+        copy::CopiedPath made;
+        const bool done = watched(progress, [&](const Progress& report) {
+          made = copy::copy_mill(part.bvh, options, report);
+        });
+        if (!done) made = {};
         return std::make_pair(std::move(made.path), made.out_of_reach);
       },
       py::arg("part"), py::arg("options"), py::arg("progress") = py::none(),
@@ -169,17 +169,19 @@ void bind_copy(py::module_& m) {
       "over_faces",
       [](const ToolPath& path, const Solid& part, const Solid& faces,
          const copy::CopyOptions& options, const py::object& progress) {
-        const Progress report = progress_of(progress);
-        const py::gil_scoped_release release;
-        return copy::over_faces(path, part.bvh, faces.bvh, options, report);
+        ToolPath made;
+        const bool done = watched(progress, [&](const Progress& report) {
+          made = copy::over_faces(path, part.bvh, faces.bvh, options, report);
+        });
+        return done ? made : ToolPath();
       },
       py::arg("path"), py::arg("part"), py::arg("faces"), py::arg("options"),
       py::arg("progress") = py::none(),
       "Of a path that copy_mill made of `part` with `options`, the cuts on which the ball works on "
       "`faces`; all else is left out. If progress(share) returns False: what was done so far. "
       "Raises nothing.");
-  m.def("with_plunge_feed", &copy::with_plunge_feed, py::arg("path"), py::arg("vertical"),
-        py::call_guard<py::gil_scoped_release>(),
+  m.def("with_plunge_feed", interruptible(&copy::with_plunge_feed), py::arg("path"),
+        py::arg("vertical"),
         "The path with no timed move going down faster than `vertical` [mm/s]. Raises InputError "
         "naming VertFeed.");
   m.def("joined", &joined, py::arg("paths"),
@@ -277,10 +279,9 @@ void bind_dcm_path(py::module_& m) {
       [](const ToolPath& path, const voxel::VoxelGrid& grid, double feed) {
         std::vector<std::int64_t> source;
         ToolPath out;
-        {
-          const py::gil_scoped_release release;
+        watched(py::none(), [&](const Progress&) {
           out = dcm::hurry_in_air(path, grid, {feed, 0.0}, &source);
-        }
+        });
         return py::make_tuple(std::move(out), source_array(source));
       },
       py::arg("path"), py::arg("grid"), py::arg("feed"),

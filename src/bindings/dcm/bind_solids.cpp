@@ -37,11 +37,10 @@ Solid solid_of_arrays(const Points& vertices, const Corners& triangles,
 
 py::array_t<double> closest_distances(const Solid& solid, const Points& points) {
   std::vector<double> d(static_cast<std::size_t>(points.rows()));
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     for (Eigen::Index i = 0; i < points.rows(); ++i)
       d[i] = mesh::signed_distance(solid.bvh, points.row(i));
-  }
+  });
   return column_of<double>(d, [](double v) { return v; });
 }
 
@@ -81,8 +80,8 @@ void bind_solids(py::module_& m) {
       .def("signed_distances", &closest_distances, py::arg("points"),
            "Of (n, 3) points from the surface [mm], negative inside; the solid must be closed. "
            "Raises nothing.");
-  m.def("solid_of_brep", &solid_of_brep, py::arg("brep"), py::arg("deflection"),
-        py::arg("property"), py::arg("closed") = true, py::call_guard<py::gil_scoped_release>(),
+  m.def("solid_of_brep", interruptible(&solid_of_brep), py::arg("brep"), py::arg("deflection"),
+        py::arg("property"), py::arg("closed") = true,
         "BREP text as a Solid; `deflection` [mm]. Raises InputError naming `property`, Deflection "
         "or property.");
 }

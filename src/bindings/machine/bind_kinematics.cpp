@@ -59,10 +59,8 @@ py::dict plan_dict(const machine::Kinematics& machine, const Points& axes,
   for (std::size_t i = 0; i < directions.size(); ++i)
     targets.push_back({unit_along("axes", directions[i]), flag(static_cast<py::ssize_t>(i))});
   machine::JointPlan plan;
-  {
-    const py::gil_scoped_release release;
-    plan = machine::plan_joints(machine, targets, pole_tolerance);
-  }
+  watched(py::none(),
+          [&](const Progress&) { plan = machine::plan_joints(machine, targets, pole_tolerance); });
   py::dict d;
   d["complete"] = plan.complete;
   d["failed"] = plan.failed;
@@ -186,31 +184,28 @@ void bind_joints(py::module_& m) {
       .def_property_readonly(
           "joints", [](const machine::PosturePath& p) { return joints_array(p.joints); },
           "At the start and at the end of each move, (n + 1, 2).");
-  m.def(
-      "plan_path_joints",
-      [](const machine::Kinematics& machine, const ToolPath& path, double pole_tolerance,
-         std::optional<int> decimals) {
-        machine::JointPlan plan = machine::plan_joints(machine, path, pole_tolerance);
-        if (!plan.complete)
-          throw InputError("ToolAxis", "move " + std::to_string(plan.failed), plan.reason);
-        machine::PosturePath planned{path, std::move(plan.joints)};
-        return decimals ? gcode::on_degrees(std::move(planned), machine, Decimals(*decimals))
-                        : planned;
-      },
-      py::arg("machine"), py::arg("path"), py::arg("pole_tolerance") = 1e-9,
-      py::arg("decimals") = py::none(), py::call_guard<py::gil_scoped_release>(),
-      "Any ToolPath with angles, put on decimals of a degree if given. Raises InputError naming "
-      "ToolAxis, PoleTolerance or Decimals.");
-  m.def(
-      "programmed",
-      [](const machine::PosturePath& posture, const machine::Kinematics& machine,
-         const gcode::ProgramForm& form, int decimals) {
-        return gcode::on_decimals(gcode::programmed(posture, machine, form), Decimals(decimals));
-      },
-      py::arg("posture"), py::arg("machine"), py::arg("form"), py::arg("decimals"),
-      py::call_guard<py::gil_scoped_release>(),
-      "What X Y Z are told, on the decimals; without TCP moves may be split. Raises InputError "
-      "naming Chord, ChordClear or Decimals.");
+  m.def("plan_path_joints",
+        interruptible([](const machine::Kinematics& machine, const ToolPath& path,
+                         double pole_tolerance, std::optional<int> decimals) {
+          machine::JointPlan plan = machine::plan_joints(machine, path, pole_tolerance);
+          if (!plan.complete)
+            throw InputError("ToolAxis", "move " + std::to_string(plan.failed), plan.reason);
+          machine::PosturePath planned{path, std::move(plan.joints)};
+          return decimals ? gcode::on_degrees(std::move(planned), machine, Decimals(*decimals))
+                          : planned;
+        }),
+        py::arg("machine"), py::arg("path"), py::arg("pole_tolerance") = 1e-9,
+        py::arg("decimals") = py::none(),
+        "Any ToolPath with angles, put on decimals of a degree if given. Raises InputError naming "
+        "ToolAxis, PoleTolerance or Decimals.");
+  m.def("programmed",
+        interruptible([](const machine::PosturePath& posture, const machine::Kinematics& machine,
+                         const gcode::ProgramForm& form, int decimals) {
+          return gcode::on_decimals(gcode::programmed(posture, machine, form), Decimals(decimals));
+        }),
+        py::arg("posture"), py::arg("machine"), py::arg("form"), py::arg("decimals"),
+        "What X Y Z are told, on the decimals; without TCP moves may be split. Raises InputError "
+        "naming Chord, ChordClear or Decimals.");
   m.def("axis_load", &load_dict, py::arg("machine"), py::arg("posture"),
         "What a path asks of the axes, as shares of limits. Raises nothing.");
 }

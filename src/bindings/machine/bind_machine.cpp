@@ -65,13 +65,13 @@ void bind_text(py::module_& m) {
       .def("__str__", &PathText::whole, "All parts, one after the other. Raises nothing.");
   m.def(
       "freecad_text",
-      [](const ToolPath& path, std::optional<double> feed, int decimals, bool exact_stop) {
+      interruptible([](const ToolPath& path, std::optional<double> feed, int decimals,
+                       bool exact_stop) {
         const Decimals d(decimals);
         return PathText((exact_stop ? "G61\n" : "") + (feed ? gcode::freecad_text(path, *feed, d)
                                                             : gcode::freecad_text(path, d)));
-      },
+      }),
       py::arg("path"), py::arg("feed"), py::arg("decimals"), py::arg("exact_stop") = false,
-      py::call_guard<py::gil_scoped_release>(),
       "A constant-feed path as text for Path.Path(text); `feed` [mm/s], or None for a path whose "
       "moves have their own. `exact_stop`: G61 first. Raises InputError naming Feed or Decimals.");
 }
@@ -136,13 +136,13 @@ void bind_reader(py::module_& m) {
            "first.");
   m.def(
       "read_gcode",
-      [](const std::string& text, const Tool& tool, const std::string& dialect, bool rotary,
-         const std::string& tcp_on, const std::string& tcp_off) {
+      interruptible([](const std::string& text, const Tool& tool, const std::string& dialect,
+                       bool rotary, const std::string& tcp_on, const std::string& tcp_off) {
         return gcode::read_gcode(text, tool, {&gcode::control_of(dialect), rotary, tcp_on, tcp_off})
             .sections;
-      },
+      }),
       py::arg("text"), py::arg("tool"), py::arg("dialect") = "linuxcnc", py::arg("rotary") = false,
-      py::arg("tcp_on") = "", py::arg("tcp_off") = "", py::call_guard<py::gil_scoped_release>(),
+      py::arg("tcp_on") = "", py::arg("tcp_off") = "",
       "The sections of a program; with `rotary` its points as programmed, and the angles beside "
       "them. "
       "Raises InputError for anything not understood.");
@@ -205,15 +205,15 @@ py::object with_decimal_points(const py::function& call) {
 }
 
 void bind_writer(py::module_& m) {
-  m.def("write_program", &program_of, py::arg("texts"), py::arg("dialect"), py::kw_only(),
-        py::arg("precision") = 3, py::arg("line_numbers") = false, py::arg("comments") = true,
-        py::arg("modal") = false, py::arg("axis_modal") = false, py::arg("tool_length") = true,
-        py::arg("name") = "PATCHMILL", py::arg("header") = std::vector<std::string>(),
-        py::arg("preamble") = "", py::arg("postamble") = "", py::arg("smoothing_on") = "",
-        py::arg("smoothing_off") = "", py::arg("tcp_on") = "", py::arg("tcp_off") = "",
-        py::arg("number") = 1, py::arg("retract") = std::vector<std::pair<std::string, double>>(),
+  m.def("write_program", interruptible(&program_of), py::arg("texts"), py::arg("dialect"),
+        py::kw_only(), py::arg("precision") = 3, py::arg("line_numbers") = false,
+        py::arg("comments") = true, py::arg("modal") = false, py::arg("axis_modal") = false,
+        py::arg("tool_length") = true, py::arg("name") = "PATCHMILL",
+        py::arg("header") = std::vector<std::string>(), py::arg("preamble") = "",
+        py::arg("postamble") = "", py::arg("smoothing_on") = "", py::arg("smoothing_off") = "",
+        py::arg("tcp_on") = "", py::arg("tcp_off") = "", py::arg("number") = 1,
+        py::arg("retract") = std::vector<std::pair<std::string, double>>(),
         py::arg("stock") = py::none(), py::arg("own") = std::vector<bool>(),
-        py::call_guard<py::gil_scoped_release>(),
         "The program of FreeCAD's path texts (Path.toGCode()) for a control. Raises InputError "
         "naming Dialect, "
         "PostProcessorArgs, Strategy, ProgramForm, Machine or Path.");
@@ -230,8 +230,7 @@ void bind_writer(py::module_& m) {
   m.def(
       "feeds_of", [](const std::string& text) { return gcode::feeds_of(text); }, py::arg("text"),
       "The values of all F words of a path's text, in their order. Raises nothing.");
-  m.def("with_feeds", &gcode::with_feeds, py::arg("text"), py::arg("feeds"),
-        py::call_guard<py::gil_scoped_release>(),
+  m.def("with_feeds", interruptible(&gcode::with_feeds), py::arg("text"), py::arg("feeds"),
         "A path's text with its F words replaced by `feeds`, where they are the same but for "
         "FreeCAD's six decimals. Raises InputError naming feeds.");
   m.def("with_decimal_points", &with_decimal_points, py::arg("call"),

@@ -37,11 +37,10 @@ sync::PacedRule rule_of(bool locked, const sync::PhaseRule& phase, double lift, 
 py::dict predicted_dict(const ToolPath& path, const machine::MotionModel& model,
                         const patch::Dimples& dimples, const sync::PhaseRule& rule) {
   sync::PredictedPhase phase;
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     phase = sync::predicted_phase(path, model, sync::wanted_phases(dimples, rule, path.spindle),
                                   sync::phase_period(path.tool.flutes, rule.flutes));
-  }
+  });
   py::dict d;
   d["known"] = phase.known;
   d["reason"] = phase.reason;
@@ -101,37 +100,34 @@ void bind_paths(py::module_& m) {
            "nothing: paced_path refuses what cannot be planned.");
   m.def(
       "paced_path",
-      [](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
-         const sync::PacedRule& rule, const machine::MotionModel& model, int decimals) {
+      interruptible([](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
+                       const sync::PacedRule& rule, const machine::MotionModel& model,
+                       int decimals) {
         sync::PacedPath made =
             sync::paced_path(dimples, tool, spindle, rule, model, Decimals(decimals));
         return std::make_pair(std::move(made.path), made.clearance);
-      },
+      }),
       py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("rule"), py::arg("model"),
-      py::arg("decimals"), py::call_guard<py::gil_scoped_release>(),
+      py::arg("decimals"),
       "(path, least height of the ball between rows when a tooth passes [mm]). Raises InputError "
       "naming Lift, SafeHeight, ClearanceHeight, Turning, ToolAxis, Spacing, MaxVelocity or "
       "Decimals.");
-  m.def(
-      "fit_to_stops",
-      [](const ToolPath& path, const machine::MotionModel& model, double feed,
-         const sync::PhaseRule& rule, int decimals) {
-        const double period = sync::phase_period(path.tool.flutes, rule.flutes).turns();
-        return sync::fit_to_stops(path, model, feed, period, Decimals(decimals)).path;
-      },
-      py::arg("path"), py::arg("model"), py::arg("feed"), py::arg("rule"), py::arg("decimals"),
-      py::call_guard<py::gil_scoped_release>(),
-      "A constant-feed path with its legs fitted to the machine's stops; `feed` [mm/s]. Raises "
-      "InputError naming Feed or Decimals.");
-  m.def(
-      "freecad_paced_text",
-      [](const ToolPath& path, const machine::MotionModel& model, int decimals) {
-        return PathText(gcode::freecad_paced_text(path, model, Decimals(decimals)));
-      },
-      py::arg("path"), py::arg("model"), py::arg("decimals"),
-      py::call_guard<py::gil_scoped_release>(),
-      "A paced path as text for Path.Path(text): G0, G1, G33, G61, G64. Raises InputError naming "
-      "Decimals.");
+  m.def("fit_to_stops",
+        interruptible([](const ToolPath& path, const machine::MotionModel& model, double feed,
+                         const sync::PhaseRule& rule, int decimals) {
+          const double period = sync::phase_period(path.tool.flutes, rule.flutes).turns();
+          return sync::fit_to_stops(path, model, feed, period, Decimals(decimals)).path;
+        }),
+        py::arg("path"), py::arg("model"), py::arg("feed"), py::arg("rule"), py::arg("decimals"),
+        "A constant-feed path with its legs fitted to the machine's stops; `feed` [mm/s]. Raises "
+        "InputError naming Feed or Decimals.");
+  m.def("freecad_paced_text",
+        interruptible([](const ToolPath& path, const machine::MotionModel& model, int decimals) {
+          return PathText(gcode::freecad_paced_text(path, model, Decimals(decimals)));
+        }),
+        py::arg("path"), py::arg("model"), py::arg("decimals"),
+        "A paced path as text for Path.Path(text): G0, G1, G33, G61, G64. Raises InputError naming "
+        "Decimals.");
 }
 
 void bind_verdict(py::module_& m) {

@@ -75,15 +75,19 @@ marks::TextureMarks simulate(const marks::ToolMotion& motion, const Tool& tool,
                              double step, double stock, const py::object& base, double reach,
                              double helix, const std::vector<double>& runout, double least_depth,
                              double halo, double memory_limit, const py::object& progress) {
-  const Progress report = progress_of(progress);
   const marks::BaseMaker maker = base_maker(base, plane, reach);
   marks::TextureMarkOptions options;
   options.marks = {stock, memory_limit};
   options.find.least_depth = least_depth;
   options.halo = halo;
-  const py::gil_scoped_release release;
-  return marks::simulate_texture(motion, {tool, Angle::radians(helix), runout},
-                                 marks::flat_grid(plane, low, high, step), maker, options, report);
+  marks::TextureMarks made;
+  const bool done = watched(progress, [&](const Progress& report) {
+    made =
+        marks::simulate_texture(motion, {tool, Angle::radians(helix), runout},
+                                marks::flat_grid(plane, low, high, step), maker, options, report);
+  });
+  if (!done) made.complete = false;
+  return made;
 }
 
 /// Every `stride`-th cell of a block of the grid as points on the relief.
@@ -121,11 +125,10 @@ py::tuple surface(const marks::TextureMarks& marks, const py::object& base, doub
 py::dict compare_dict(const marks::TextureMarks& marks, const patch::Dimples& dimples,
                       const Vec2& low, const Vec2& high, double spacing) {
   marks::WindowComparison window;
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     window = marks::compare_window(marks.dimples, marks::planned_places(dimples, marks.grid.plane),
                                    low, high, spacing);
-  }
+  });
   const marks::PlanComparison& c = window.comparison;
   py::dict d;
   d["dimple"] =

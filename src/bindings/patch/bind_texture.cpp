@@ -131,8 +131,6 @@ std::optional<patch::SurfaceLattice> lay_lattice(const patch::PatchPattern& patt
                                                  const patch::TexturePlane& plane,
                                                  const Vec2& start, const Vec2& low,
                                                  const Vec2& high, const py::object& progress) {
-  const Progress report = progress_of(progress);
-  const py::gil_scoped_release release;
   patch::LatticeRequest request;
   request.kind = patch::lattice_of(pattern.shape);
   request.spacing = pattern.spacing;
@@ -140,15 +138,18 @@ std::optional<patch::SurfaceLattice> lay_lattice(const patch::PatchPattern& patt
   request.area = patch::Box2(low, high);
   const auto lay = request.kind == patch::LatticeKind::Square ? patch::chebyshev_net
                                                               : patch::low_distortion_lattice;
-  return lay(request, plane, sampler_of(sampler), report);
+  std::optional<patch::SurfaceLattice> laid;
+  const bool done = watched(progress, [&](const Progress& report) {
+    laid = lay(request, plane, sampler_of(sampler), report);
+  });
+  return done ? std::move(laid) : std::nullopt;
 }
 
 py::dict spread_dict(const patch::Dimples& dimples, const patch::PatchPattern& pattern) {
   patch::SpacingSpread spread;
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     spread = patch::spacing_spread(dimples, patch::lattice_of(pattern.shape), pattern.spacing);
-  }
+  });
   py::dict d;
   d["least"] = spread.least;
   d["greatest"] = spread.greatest;
@@ -195,14 +196,14 @@ void bind_lattices(py::module_& m) {
       py::arg("wanted"), py::arg("low"), py::arg("high"), py::arg("sampler"),
       "The place nearest to `wanted` that can be cut [mm]. Raises InputError naming Start or "
       "Area.");
-  m.def(
-      "cover_lattice",
-      [](const patch::PatchPattern& pattern, const patch::SurfaceLattice& lattice, const Vec2& low,
-         const Vec2& high) { return patch::cover(pattern, lattice, patch::Box2(low, high)); },
-      py::arg("pattern"), py::arg("lattice"), py::arg("low"), py::arg("high"),
-      py::call_guard<py::gil_scoped_release>(),
-      "The patches with lattice points over the rectangle from `low` to `high` [mm]. Raises "
-      "InputError naming Area.");
+  m.def("cover_lattice",
+        interruptible([](const patch::PatchPattern& pattern, const patch::SurfaceLattice& lattice,
+                         const Vec2& low, const Vec2& high) {
+          return patch::cover(pattern, lattice, patch::Box2(low, high));
+        }),
+        py::arg("pattern"), py::arg("lattice"), py::arg("low"), py::arg("high"),
+        "The patches with lattice points over the rectangle from `low` to `high` [mm]. Raises "
+        "InputError naming Area.");
   m.def("spacing_spread", &spread_dict, py::arg("dimples"), py::arg("pattern"),
         "Distances of neighbouring dimples over the spacing: least, greatest, rms of the change, "
         "and the least and greatest angle of the lattice [rad]. Raises nothing.");

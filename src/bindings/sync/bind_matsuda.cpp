@@ -81,10 +81,8 @@ py::object place_free_texture(const patch::FreePatch& patch, bool outward,
                               const patch::SurfaceLattice* lattice,
                               const patch::TexturePlane& plane, const FaceSampler& sampler,
                               bool corners_fit, const py::object& progress) {
-  const Progress report = progress_of(progress);
   std::optional<patch::PlacedFreeTexture> placed;
-  {
-    const py::gil_scoped_release release;
+  const bool done = watched(progress, [&](const Progress& report) {
     const patch::LatticePlace place_of =
         lattice ? lattice->place_of
                 : patch::LatticePlace([&](const Vec2& p) { return patch::place(stands, p); });
@@ -94,8 +92,8 @@ py::object place_free_texture(const patch::FreePatch& patch, bool outward,
     placed = patch::place_free(
         patch, outward ? patch::HelixOrder::Outward : patch::HelixOrder::Inward, stands, place_of,
         plane, sample, corners_fit ? patch::PlaneFit::Corners : patch::PlaneFit::BestFit, report);
-  }
-  if (!placed) return py::none();
+  });
+  if (!done || !placed) return py::none();
   return py::make_tuple(std::move(placed->texture), std::move(placed->dimples));
 }
 
@@ -159,19 +157,18 @@ void bind_free_form(py::module_& m) {
         py::arg("lattice"), py::arg("plane"), py::arg("sampler"), py::arg("corners_fit"),
         py::arg("progress") = py::none(),
         "(FreeTexture, Dimples), or None if `progress` returned False. Raises nothing.");
-  m.def(
-      "free_form_path",
-      [](const patch::FreeTexture& texture, const patch::Dimples& dimples, const Tool& tool,
-         const Spindle& spindle, double feed, double safe_height, double clearance_height,
-         int decimals) {
-        return sync::free_form_path(texture, dimples, tool, spindle,
-                                    {feed, {}, safe_height, clearance_height}, Decimals(decimals));
-      },
-      py::arg("texture"), py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("feed"),
-      py::arg("safe_height"), py::arg("clearance_height"), py::arg("decimals"),
-      py::call_guard<py::gil_scoped_release>(),
-      "Straight on along the helix; `feed` [mm/s]. Raises InputError naming Dimples, Feed, "
-      "FeedPerTooth, SafeHeight, ClearanceHeight or Decimals.");
+  m.def("free_form_path",
+        interruptible([](const patch::FreeTexture& texture, const patch::Dimples& dimples,
+                         const Tool& tool, const Spindle& spindle, double feed, double safe_height,
+                         double clearance_height, int decimals) {
+          return sync::free_form_path(texture, dimples, tool, spindle,
+                                      {feed, {}, safe_height, clearance_height},
+                                      Decimals(decimals));
+        }),
+        py::arg("texture"), py::arg("dimples"), py::arg("tool"), py::arg("spindle"),
+        py::arg("feed"), py::arg("safe_height"), py::arg("clearance_height"), py::arg("decimals"),
+        "Straight on along the helix; `feed` [mm/s]. Raises InputError naming Dimples, Feed, "
+        "FeedPerTooth, SafeHeight, ClearanceHeight or Decimals.");
   m.def("free_form_phases", &phases_dict, py::arg("path"), py::arg("texture"), py::arg("dimples"),
         py::arg("patch"),
         "Phase differences [teeth] of neighbouring passes of one patch: measured on the path, and "

@@ -47,10 +47,9 @@ sync::Postures postures_of(const machine::Kinematics& machine, const patch::Dimp
                            const Points& axes, int decimals) {
   const std::vector<Vec3> wanted = points_of(axes, "axes");
   sync::PosturePlan plan;
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     plan = sync::plan_postures(machine, dimples, wanted, Decimals(decimals));
-  }
+  });
   if (!plan.complete)
     throw InputError("ToolAxis", "dimple " + std::to_string(plan.failed), plan.reason);
   return std::move(plan.postures);
@@ -130,28 +129,25 @@ void bind_postures(py::module_& m) {
         "Postures for the dimples to be cut. Raises InputError naming ToolAxis, axes or Decimals.");
   m.def("with_azimuths", &with_azimuths, py::arg("rule"), py::arg("postures"),
         "A phase rule that counts the azimuths which the rotary axes make. Raises nothing.");
-  m.def("turning_seconds", &sync::turning_seconds, py::arg("machine"), py::arg("dimples"),
-        py::arg("postures"), py::arg("tool"), py::arg("model"), py::arg("form"),
-        py::call_guard<py::gil_scoped_release>(),
+  m.def("turning_seconds", interruptible(&sync::turning_seconds), py::arg("machine"),
+        py::arg("dimples"), py::arg("postures"), py::arg("tool"), py::arg("model"), py::arg("form"),
         "Seconds that the rotary axes take from each dimple to the next. Raises InputError naming "
         "Postures.");
-  m.def(
-      "with_postures",
-      [](const ToolPath& vertical, const sync::Postures& postures,
-         const machine::Kinematics& machine, int decimals) {
-        return sync::with_postures(vertical, postures, machine, Decimals(decimals));
-      },
-      py::arg("vertical"), py::arg("postures"), py::arg("machine"), py::arg("decimals"),
-      py::call_guard<py::gil_scoped_release>(),
-      "A planned path with its tool axes and angles; the ball centre keeps its way. Raises "
-      "InputError naming Decimals.");
-  m.def("section_in_work", &section_in_work, py::arg("section"), py::arg("machine"),
-        py::arg("form"), py::call_guard<py::gil_scoped_release>(),
+  m.def("with_postures",
+        interruptible([](const ToolPath& vertical, const sync::Postures& postures,
+                         const machine::Kinematics& machine, int decimals) {
+          return sync::with_postures(vertical, postures, machine, Decimals(decimals));
+        }),
+        py::arg("vertical"), py::arg("postures"), py::arg("machine"), py::arg("decimals"),
+        "A planned path with its tool axes and angles; the ball centre keeps its way. Raises "
+        "InputError naming Decimals.");
+  m.def("section_in_work", interruptible(&section_in_work), py::arg("section"), py::arg("machine"),
+        py::arg("form"),
         "Tool tips in the work frame of a section that was read with its rotary words. Raises "
         "InputError naming Section.");
-  m.def("freecad_rotary_text", &rotary_text, py::arg("told"), py::arg("letters"), py::arg("model"),
-        py::arg("decimals"), py::arg("before") = "", py::arg("after") = "",
-        py::arg("as_set") = false, py::call_guard<py::gil_scoped_release>(),
+  m.def("freecad_rotary_text", interruptible(&rotary_text), py::arg("told"), py::arg("letters"),
+        py::arg("model"), py::arg("decimals"), py::arg("before") = "", py::arg("after") = "",
+        py::arg("as_set") = false,
         "A programmed path with its rotary words as text for Path.Path(text). Raises InputError "
         "naming letters or Decimals.");
 }

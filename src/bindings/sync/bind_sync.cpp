@@ -17,11 +17,10 @@ sync::PhaseRule rule_of(bool same_flute, double extra_turns, double step) {
 py::dict errors_dict(const ToolPath& path, const patch::Dimples& dimples,
                      const sync::PhaseRule& rule) {
   std::vector<sync::PhaseError> errors;
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     errors = sync::phase_errors(path, sync::wanted_phases(dimples, rule, path.spindle),
                                 sync::phase_period(path.tool.flutes, rule.flutes));
-  }
+  });
   const sync::PhaseErrorSummary s = sync::summary(errors);
   py::dict d;
   d["dimple"] = column_of<std::int32_t>(errors, [](const sync::PhaseError& e) { return e.dimple; });
@@ -64,19 +63,18 @@ void bind_sync(py::module_& m) {
            "`extra_turns` between dimples, `step` [rad] per dimple. Raises nothing: "
            "constant_feed_path refuses ExtraTurns and PhaseStep.")
       .def_readonly("extra_turns", &sync::PhaseRule::extra_turns);
-  m.def(
-      "constant_feed_path",
-      [](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle, double feed,
-         const sync::PhaseRule& rule, double safe_height, double clearance_height, int decimals) {
-        return sync::constant_feed_path(dimples, tool, spindle,
-                                        {feed, rule, safe_height, clearance_height},
-                                        Decimals(decimals));
-      },
-      py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("feed"), py::arg("rule"),
-      py::arg("safe_height"), py::arg("clearance_height"), py::arg("decimals"),
-      py::call_guard<py::gil_scoped_release>(),
-      "The constant-feed path of Xu & Sasahara 2016; `feed` [mm/s], heights [mm]. Raises "
-      "InputError naming Feed, ExtraTurns, PhaseStep, SafeHeight, ClearanceHeight or Decimals.");
+  m.def("constant_feed_path",
+        interruptible([](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
+                         double feed, const sync::PhaseRule& rule, double safe_height,
+                         double clearance_height, int decimals) {
+          return sync::constant_feed_path(dimples, tool, spindle,
+                                          {feed, rule, safe_height, clearance_height},
+                                          Decimals(decimals));
+        }),
+        py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("feed"), py::arg("rule"),
+        py::arg("safe_height"), py::arg("clearance_height"), py::arg("decimals"),
+        "The constant-feed path of Xu & Sasahara 2016; `feed` [mm/s], heights [mm]. Raises "
+        "InputError naming Feed, ExtraTurns, PhaseStep, SafeHeight, ClearanceHeight or Decimals.");
   m.def(
       "posted_feed",
       [](double feed, int decimals) { return sync::posted_feed(feed, Decimals(decimals)); },

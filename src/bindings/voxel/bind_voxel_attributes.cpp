@@ -26,11 +26,10 @@ py::array_t<double> axes_at(const voxel::VoxelGrid& grid, const dcm::PostureFiel
                             const Points& points) {
   dcm::require_over(grid, posture);
   std::vector<Vec3> axes;
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     for (Eigen::Index i = 0; i < points.rows(); ++i)
       axes.push_back(dcm::read_axis(grid, posture, points.row(i)).value_or(Vec3::Zero()));
-  }
+  });
   return rows_of(axes, [](const Vec3& v) { return v; });
 }
 
@@ -40,11 +39,10 @@ py::array_t<double> feed_at(const voxel::VoxelGrid& grid, const dcm::FeedField& 
   dcm::require_over(grid, feed);
   const Vec3 d = unit_along("Direction", direction);
   std::vector<double> values;
-  {
-    const py::gil_scoped_release release;
+  watched(py::none(), [&](const Progress&) {
     for (Eigen::Index i = 0; i < points.rows(); ++i)
       values.push_back(dcm::read_feed(grid, feed, points.row(i), d).value_or(kNone));
-  }
+  });
   return column_of<double>(values, [](double v) { return v; });
 }
 
@@ -98,18 +96,16 @@ void bind_voxel_attributes(py::module_& m) {
         "VoxelMaterials: STOCK_MATERIAL, 0, the stock's own, else 1 + the number of the last of "
         "`bodies`, pairs of Solid and depth below its surface [mm], that holds the voxel's centre. "
         "Raises InputError naming Materials.");
-  m.def(
-      "scale_feed",
-      [](const dcm::FeedField& feed, const VoxelMaterials& materials,
-         const std::vector<double>& factors) {
-        dcm::FeedField scaled = feed;
-        dcm::scale_feed(scaled, materials.number, factors);
-        return scaled;
-      },
-      py::arg("feed"), py::arg("materials"), py::arg("factors"),
-      py::call_guard<py::gil_scoped_release>(),
-      "The FeedField times the factor of each voxel's material. Raises InputError naming "
-      "Materials.");
+  m.def("scale_feed",
+        interruptible([](const dcm::FeedField& feed, const VoxelMaterials& materials,
+                         const std::vector<double>& factors) {
+          dcm::FeedField scaled = feed;
+          dcm::scale_feed(scaled, materials.number, factors);
+          return scaled;
+        }),
+        py::arg("feed"), py::arg("materials"), py::arg("factors"),
+        "The FeedField times the factor of each voxel's material. Raises InputError naming "
+        "Materials.");
   m.def("axes_at", &axes_at, py::arg("grid"), py::arg("posture"), py::arg("points"),
         "Unit axes at (n, 3) points [mm], interpolated; upright in air, zero inside the part. "
         "Raises InputError naming PostureField.");

@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 import _patchmill as core
 import numpy as np
 
+from patchmill.system.stops import stoppable
+
 CLEAR, VIOLATED, UNKNOWN = "clear", "violated", "unknown"
 MOST_FINDINGS = 1000
 
@@ -100,6 +102,13 @@ def _too_deep(finding, result):
 def run_check(given, path=None, first_move=0, progress=None):
     """CheckResult of a CheckInput, or of `path` in the place of its own, from move `first_move` on. If
     `progress` (fraction -> bool) returns False the result is unknown. Raises what the core names."""
+    stopped = CheckResult(UNKNOWN, "The check was stopped before its end.")
+    return _run_check(given, path, first_move, progress) or stopped
+
+
+@stoppable
+def _run_check(given, path, first_move, progress):
+    """CheckResult, or None if it was stopped."""
     tolerance, clearance = given.tolerance, given.clearance
     path = path or given.path
     if path is None:

@@ -18,6 +18,7 @@ from patchmill.operations.base import forget_dressups, not_computed
 from patchmill.properties import property_table
 from patchmill.properties.check_properties import POST_GOUGING, gouge_tolerance
 from patchmill.voxels import removal_model
+from patchmill.system.stops import stoppable
 
 CONTROLS = ["Feed", "Posture", "Feed and posture"]
 PROPERTIES = [
@@ -187,6 +188,7 @@ class DressupDCM:
         return compute(given, removal_model.file_beside(obj.Document, obj.Name))
 
 
+@stoppable
 def compute(given, file, progress=None):
     """(RemovalModel, dcm.Result) of a DcmInput, without touching a document: for any thread. `file`: where
     the model is kept, or ''. None if `progress` (share -> bool) returned False. Raises InputError."""

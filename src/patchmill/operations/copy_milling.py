@@ -21,6 +21,7 @@ from patchmill.operations.base import recompute  # noqa: F401  for macros: it re
 from patchmill.operations.copy_input import MODES, PASSES, UNDERCUTS, CopyInput, input_of
 from patchmill.path.read_text import path_of
 from patchmill.properties.check_properties import CHECK_PROPERTIES, gouge_tolerance
+from patchmill.system.stops import stoppable
 
 LEAST_HEIGHT = 1e-3  # mm of stock that is looked at, over a face at its top
 NOTHING_THERE = "there is nothing to cut on them, or the ball does not reach them from above."
@@ -102,6 +103,7 @@ def remarks(made, tilted=False):
     return said
 
 
+@stoppable
 def mill(given, progress=None):
     """CopiedPath of a CopyInput; None if `progress` (share -> bool) returned False. Raises InputError naming
     the property."""

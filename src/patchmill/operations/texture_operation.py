@@ -26,6 +26,7 @@ from patchmill.properties.texture_results import RESULTS, show_results
 from patchmill.textures.masks import MaskInput, curve_loops
 from patchmill.textures.plan import PlannedTexture, TextureInput, plan_texture
 from patchmill.voxels import axis_field
+from patchmill.system.stops import stoppable
 
 
 @dataclass
@@ -36,6 +37,7 @@ class ReadyTexture:
     commands: list
 
 
+@stoppable
 def prepare(given, progress=None):
     """ReadyTexture of a TextureInput, without touching a document: for any thread. None if `progress`
     (share -> bool) returned False. Raises InputError naming the property that is wrong."""

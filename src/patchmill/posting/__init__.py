@@ -23,22 +23,27 @@ from patchmill.posting.control_match import own_dialect
 from patchmill.textures import strategies
 from patchmill.verify import checks, posted_job, posted_milling
 from patchmill.verify.posted_texture import PostedTexture
+from patchmill.system.stops import stoppable
 
 
-def post(job, filename, post_name=None, arguments=None):
+@stoppable
+def post(job, filename, post_name=None, arguments=None, progress=None):
     """Posts `job` to `filename` and returns a list: a PostedTexture for each texture operation, and then a
     PostedMilling for each other operation; under several work offsets one for each copy.
 
     `post_name` and `arguments` default to the job's own; the folder of `filename` must be there. The text is
     read back, offset by offset and operation by operation, compared with the plans and their phase measured;
-    only then does the file appear, whole.
+    only then does the file appear, whole. None, and no file, if `progress` (share -> bool) returned False.
     Raises InputError, leaving no file and an existing one untouched, if an operation is invalid, if the text
     does not hold the plan, or if the tool would gouge or collide (docs/checks.md)."""
     files.require_place(filename)  # before the work, not after it
     ready = _ready(job, post_name, arguments)
+    if not progress(0.1):
+        return None
     text = _single_text(job, ready.post_name, ready.arguments)
-    posted = _read_back(ready, text)
-    _write(filename, text)
+    posted = _read_back(ready, text, progress) if progress(0.3) else None
+    if posted is not None:
+        _write(filename, text)
     return posted
 
 
@@ -47,7 +52,7 @@ def read_back(job, filename, post_name=None, arguments=None):
     is now, with nothing beside. Raises InputError naming what is not there or otherwise, and Program if it
     cannot be read."""
     ready = _ready(job, post_name, arguments)
-    return _read_back(ready, files.read_text(filename, "Program", other="latin-1"))
+    return _read_back(ready, files.read_text(filename, "Program", other="latin-1"), lambda _: True)
 
 
 @dataclass
@@ -89,8 +94,9 @@ def _ready(job, post_name, arguments):
     return _Ready(job, post_name, arguments, operations, own, decimals)
 
 
-def _read_back(ready, text):
-    """What a program holds of a job. Raises InputError naming what it does not, or what gouges."""
+def _read_back(ready, text, progress):
+    """What a program holds of a job, or None if `progress` returned False. Raises InputError naming what it
+    does not, or what gouges."""
     own, arguments = ready.own, ready.arguments
     if own is None:
         kept_words.require(ready.post_name, ready.operations, text)
@@ -101,14 +107,44 @@ def _read_back(ready, text):
     dialect = own.dialect if own else "linuxcnc"
     known = kept_words.of_machine(program_header.machine_of(objects), arguments)
     posted = posted_job.read_back(text, objects, dialect, half_unit, known, own is not None)
+    to_check = _to_check(posted)
+    for number, one in enumerate(to_check):
+        asked = _Share(progress, number, len(to_check))
+        texture = isinstance(one, PostedTexture)
+        how = (one.path, one.unplaced, asked, one.blind) if texture else (None, 0, asked)
+        try:
+            one.check = checks.require_clear(one.operation, *how)
+        except InputError:  # what was stopped is unknown, too
+            if not asked.stopped:
+                raise
+        if asked.stopped:
+            return None
+    return posted
+
+
+def _to_check(posted):
+    """Those of which gouges and collisions are looked for: every copy of a texture, and milling of ours once."""
+    chosen: list = []
     milled: list = []
     for one in posted:
         if isinstance(one, PostedTexture):
-            one.check = checks.require_clear(one.operation, one.path, one.unplaced, blind=one.blind)
+            chosen.append(one)
         elif one.operation not in milled and posted_milling.is_milling(one.operation):
-            milled.append(one.operation)  # of several copies one
-            one.check = checks.require_clear(one.operation)
-    return posted
+            milled.append(one.operation)
+            chosen.append(one)
+    return chosen
+
+
+class _Share:
+    """Progress of one check of several, that remembers whether it was told to stop."""
+
+    def __init__(self, progress, number, count):
+        self.progress, self.number, self.count = progress, number, count
+        self.stopped = False
+
+    def __call__(self, share):
+        self.stopped = self.stopped or not self.progress(0.4 + 0.6 * (self.number + share) / self.count)
+        return not self.stopped
 
 
 def _split(arguments):

@@ -19,6 +19,7 @@ from patchmill.textures.division import divide, require_apart, sampler_on, textu
 from patchmill.textures.input import TextureInput
 from patchmill.textures.order import rows
 from patchmill.textures.outlines import in_pieces
+from patchmill.system.stops import stoppable
 
 __all__ = ["PlacedTexture", "PlannedTexture", "TextureInput", "place_texture", "plan_texture"]
 
@@ -118,6 +119,7 @@ class PlannedTexture(PlacedTexture):
         return core.predicted_phase(self.path, self.machine.model, self.dimples, self.rule)
 
 
+@stoppable
 def place_texture(given, progress=None):
     """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False. Raises
     InputError naming the property that is wrong."""
@@ -248,6 +250,7 @@ def _require_some(counts):
     )
 
 
+@stoppable
 def plan_texture(given, progress=None):
     """PlannedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
 

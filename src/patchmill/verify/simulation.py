@@ -22,10 +22,12 @@ from patchmill.operations.base import planned
 from patchmill.textures.plan import PlannedTexture
 from patchmill.verify.simulated_motion import motion_of
 from patchmill.verify.simulated_texture import SimulatedTexture
+from patchmill.system.stops import stoppable
 
 SLACK = 1.25  # of the highest peak that is expected: so high is the stock over the base
 
 
+@stoppable
 def simulate(
     texture,
     path=None,

@@ -19,6 +19,7 @@ from patchmill.system import files
 from patchmill.voxels import materials
 from patchmill.voxels.materials import OWN
 from patchmill.voxels.voxel_slices import is_filled
+from patchmill.system.stops import stoppable
 
 MIB = 1024.0 * 1024.0
 _in_use: weakref.WeakValueDictionary = weakref.WeakValueDictionary()
@@ -137,6 +138,7 @@ class RemovalModel:
         return core.materials_at(self.grid, self.materials, points)
 
 
+@stoppable
 def make(given, file="", progress=None):
     """The RemovalModel of a ModelInput: one that is in use, the one in `file`, or a new one, which is then
     written to `file` (if that is not ''). None if `progress` (share -> bool) returned False. Raises

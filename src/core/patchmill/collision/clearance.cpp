@@ -5,12 +5,12 @@
 #include "patchmill/collision/move_check.h"
 #include "patchmill/geometry/error.h"
 #include "patchmill/geometry/shared_progress.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::collision {
 namespace {
@@ -94,7 +94,7 @@ ClearanceReport check_sections(const ToolPath& path, const std::vector<ToolSecti
   for (std::size_t begin = options.first_move; begin < count && !stopped;
        begin += kBlock * kRound) {
     std::array<ClearanceReport, kRound> blocks;
-    tbb::parallel_for(std::size_t{0}, kRound, [&](std::size_t k) {
+    patchmill::parallel_for(std::size_t{0}, kRound, [&](std::size_t k) {
       const std::size_t from = begin + k * kBlock;
       check_moves(path, sections, part, options, from, std::min(from + kBlock, count), blocks[k],
                   [&] { return shared.one_done(); });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/collision/frustum_search.h"
 
+#include "patchmill/geometry/stop.h"
+
 #include <algorithm>
 
 namespace patchmill::collision {
@@ -27,6 +29,7 @@ double FrustumSearch::bound(const Frustum& frustum, const mesh::BvhNode& node) c
 }
 
 double FrustumSearch::nearer(const Frustum& frustum, double best) {
+  stop_point();
   best_ = given_ = best;
   struct Visit {
     std::int32_t node;

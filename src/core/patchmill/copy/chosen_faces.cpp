@@ -4,14 +4,13 @@
 
 #include "patchmill/copy/path_builder.h"
 #include "patchmill/copy/tool_drop.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::copy {
 namespace {
@@ -103,8 +102,8 @@ ToolPath over_faces(const ToolPath& path, const mesh::TriangleBvh& part,
     if (!go_on(progress, double(first) / double(cuts.size()))) break;
     const std::size_t last = std::min(first + kBlock, cuts.size());
     std::vector<std::vector<Centres>> kept(last - first);
-    tbb::parallel_for(first, last,
-                      [&](std::size_t i) { kept[i - first] = kept_of(cuts[i], works); });
+    patchmill::parallel_for(first, last,
+                            [&](std::size_t i) { kept[i - first] = kept_of(cuts[i], works); });
     for (const auto& pieces : kept)
       for (const Centres& piece : pieces) builder.cut(piece);
   }

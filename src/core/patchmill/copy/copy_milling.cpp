@@ -7,12 +7,12 @@
 #include "patchmill/copy/path_builder.h"
 #include "patchmill/copy/scanning.h"
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::copy {
 
@@ -85,7 +85,7 @@ CopiedPath scan(const mesh::TriangleBvh& part, const CopyOptions& o, const Progr
   std::vector<std::vector<Vec2>> profile(y.size());
   for (std::size_t first = 0; first < y.size(); first += kBlock) {
     if (!go_on(progress, 0.9 * double(first) / double(y.size()))) return builder.finish();
-    tbb::parallel_for(first, std::min(first + kBlock, y.size()), [&](std::size_t j) {
+    patchmill::parallel_for(first, std::min(first + kBlock, y.size()), [&](std::size_t j) {
       profile[j] = probe_profile(part, y[j], x0, x1, level.back(), o);
     });
   }

@@ -4,12 +4,12 @@
 
 #include "patchmill/copy/drop_probe.h"
 #include "patchmill/copy/drop_search.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::copy {
 namespace {
@@ -87,7 +87,7 @@ double drop_ball_on(const mesh::Triangle& triangle, double x, double y, double r
 std::vector<double> drop_balls(const mesh::TriangleBvh& bvh, const std::vector<Vec2>& xy,
                                double radius) {
   std::vector<double> z(xy.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, xy.size()), [&](const auto& some) {
+  patchmill::parallel_for(tbb::blocked_range<std::size_t>(0, xy.size()), [&](const auto& some) {
     DropProbe probe(bvh, radius);
     for (std::size_t i = some.begin(); i < some.end(); ++i) z[i] = probe(xy[i].x(), xy[i].y());
   });

@@ -3,6 +3,7 @@
 #include "patchmill/copy/drop_probe.h"
 
 #include "patchmill/copy/drop_search.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,7 @@ DropProbe::DropProbe(const mesh::TriangleBvh& bvh, double radius)
 }
 
 double DropProbe::operator()(double x, double y) {
+  stop_point();
   const Vec2 p(x, y);
   follow(p);
   double guess = kNoContact;

@@ -3,12 +3,12 @@
 #include "patchmill/copy/level_curves.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::copy {
 namespace {
@@ -84,8 +84,8 @@ std::vector<Polyline> level_curves(const PlanarGrid& grid, const PlanarFunction&
   const std::size_t nodes = std::size_t(grid.columns) * grid.rows;
   Marcher marcher{grid, std::vector<double>(nodes), std::vector<std::int64_t>(2 * nodes, -1),
                   std::vector<std::uint8_t>(2 * nodes, 0)};
-  tbb::parallel_for(std::size_t{0}, nodes,
-                    [&](std::size_t n) { marcher.value[n] = f(marcher.at(n)); });
+  patchmill::parallel_for(std::size_t{0}, nodes,
+                          [&](std::size_t n) { marcher.value[n] = f(marcher.at(n)); });
   for (int j = 0; j + 1 < grid.rows; ++j)
     for (int i = 0; i + 1 < grid.columns; ++i) marcher.march(i, j);
 
@@ -109,7 +109,7 @@ std::vector<Polyline> level_curves(const PlanarGrid& grid, const PlanarFunction&
   for (std::size_t e = 0; e < 2 * nodes; ++e)
     if (marcher.next[e] >= 0) follow(e);
   for (std::size_t c = 0; c < curves.size(); ++c)
-    tbb::parallel_for(std::size_t{0}, chains[c].size(), [&](std::size_t i) {
+    patchmill::parallel_for(std::size_t{0}, chains[c].size(), [&](std::size_t i) {
       curves[c].points[i] = marcher.crossing(chains[c][i], f, tolerance);
     });
   return curves;

@@ -3,6 +3,7 @@
 #include "patchmill/dcm/apply_dcm.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,7 @@ class Divider {
   ToolPath run(std::vector<std::int64_t>* source) {
     ToolPose from = path_.start;
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+      stop_point();
       const Move& move = path_.moves[i];
       if (move.kind == MoveKind::Rapid) {
         Move rapid = move;

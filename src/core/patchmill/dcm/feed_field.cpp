@@ -3,8 +3,7 @@
 #include "patchmill/dcm/feed_field.h"
 
 #include "patchmill/geometry/error.h"
-
-#include <tbb/parallel_for.h>
+#include "patchmill/geometry/stop.h"
 
 namespace patchmill::dcm {
 namespace {
@@ -74,7 +73,7 @@ void diffuse_along(const voxel::BrickTable& table, int axis,
                    const std::vector<voxel::CellRole>& role, std::vector<double>& field) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const int columns = table.bricks[u] * table.bricks[v];
-  tbb::parallel_for(0, columns, [&](int column) {
+  patchmill::parallel_for(0, columns, [&](int column) {
     Line line{std::vector<std::int32_t>(table.bricks[axis]), 0, kStep[axis]};
     bool any = false;
     for (int i = 0; i < table.bricks[axis]; ++i) {

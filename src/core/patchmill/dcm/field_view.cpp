@@ -3,12 +3,12 @@
 #include "patchmill/dcm/field_view.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::dcm {
 namespace {
@@ -93,7 +93,7 @@ std::vector<FieldArrow> arrows_of(const voxel::VoxelGrid& grid, const PostureFie
 
 std::vector<float> distance_to_part(const voxel::VoxelGrid& grid, const mesh::TriangleBvh& part) {
   std::vector<float> distance(grid.kind.size(), 0.0F);
-  tbb::parallel_for(std::size_t{0}, grid.table.size(), [&](std::size_t b) {
+  patchmill::parallel_for(std::size_t{0}, grid.table.size(), [&](std::size_t b) {
     for (int n = 0; n < voxel::kBrickCells; ++n) {
       const std::size_t i = b * voxel::kBrickCells + n;
       if (!has_field(grid.kind[i])) continue;

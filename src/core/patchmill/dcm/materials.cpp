@@ -3,12 +3,12 @@
 #include "patchmill/dcm/materials.h"
 
 #include "patchmill/geometry/require.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/voxel/row_bits.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::dcm {
 namespace {
@@ -49,7 +49,7 @@ std::vector<std::uint8_t> materials_of(const voxel::VoxelGrid& grid,
                        "give a depth greater than zero.");
     const voxel::ColumnTriangles triangles = voxel::sort_into_columns(*bodies[b].mesh, grid.frame);
     const int columns = grid.table.bricks.y() * grid.table.bricks.z();
-    tbb::parallel_for(0, columns, [&](int column) {
+    patchmill::parallel_for(0, columns, [&](int column) {
       fill_column(grid, bodies[b], triangles, column, static_cast<std::uint8_t>(b + 1), material);
     });
   }

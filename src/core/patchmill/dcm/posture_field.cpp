@@ -3,11 +3,10 @@
 #include "patchmill/dcm/posture_field.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::dcm {
 namespace {
@@ -31,7 +30,7 @@ template <class Set>
 void visit_surface(const voxel::VoxelGrid& grid, const mesh::TriangleMesh& part,
                    const mesh::TriangleBvh& bvh, Angle crease, const Set& set) {
   const auto corner = mesh::corner_normals(part, crease);
-  tbb::parallel_for(std::size_t{0}, grid.table.size(), [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, grid.table.size(), [&](std::size_t brick) {
     const voxel::Cell first = voxel::first_cell(grid.table, brick);
     for (int n = 0; n < voxel::kBrickCells; ++n) {
       const std::size_t cell = brick * voxel::kBrickCells + n;

@@ -3,6 +3,7 @@
 #include "patchmill/gcode/freecad_text.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <cmath>
 #include <iterator>
@@ -22,6 +23,7 @@ std::string text_of(const ToolPath& path, const Decimals& decimals, const FeedOf
   const int d = decimals.count();
   Vec3 from = path.start.tip;
   for (const Move& move : path.moves) {
+    stop_point();
     const Vec3& p = move.end.tip;
     if (move.kind == MoveKind::Rapid) {
       fmt::format_to(out, "G0 X{:.{}f} Y{:.{}f} Z{:.{}f}\n", p.x(), d, p.y(), d, p.z(), d);

@@ -3,6 +3,7 @@
 #include "patchmill/gcode/gcode_words.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <charconv>
 #include <cmath>
@@ -43,6 +44,7 @@ void refuse_gcode(long line, const std::string& text, const std::string& remedy)
 }
 
 std::vector<GcodeWord> gcode_words(std::string_view text, long line) {
+  stop_point();
   std::vector<GcodeWord> words;
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first != std::string_view::npos && text[first] == '%' &&

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/program_text.h"
 
+#include "patchmill/geometry/stop.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,6 +70,7 @@ void ProgramText::line(const std::string& text) {
 
 void ProgramText::lines(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
+    stop_point();
     const std::size_t end = std::min(text.find('\n', at), text.size());
     if (end > at) line(text.substr(at, end - at));
     at = end + 1;

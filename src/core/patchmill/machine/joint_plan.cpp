@@ -4,6 +4,7 @@
 
 #include "patchmill/geometry/angle.h"
 #include "patchmill/geometry/require.h"
+#include "patchmill/geometry/stop.h"
 
 #include <cmath>
 
@@ -58,6 +59,7 @@ class Planner {
     layers_.resize(targets_.size());
     start(first);
     for (std::size_t i = first; i < targets_.size(); ++i) {
+      stop_point();
       if (i > first) step(i);
       if (layers_[i].empty()) return failed(i);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/machine/predict_motion.h"
 
+#include "patchmill/geometry/stop.h"
 #include "patchmill/machine/planner_cycle.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ Prediction predict_stops(const std::vector<PathPiece>& pieces, const ToolPath& p
   result.ends.resize(path.moves.size());
   double time = 0.0;
   for (const PathPiece& piece : pieces) {
+    stop_point();
     if (!piece.stop || piece.pitch > 0.0) {
       result.reason = "a finite jerk limit is only known for moves that stop, timed by their feed";
       return result;
@@ -41,6 +43,7 @@ constexpr double kMaxPeriods = 1e8;  // a day at 1 ms: each is stepped through
 double seconds_at_least(const std::vector<PathPiece>& pieces, double turns_per_second) {
   double seconds = 0.0;
   for (const PathPiece& piece : pieces) {
+    stop_point();
     const double asked = piece.feed > 0.0 ? piece.feed : piece.pitch * turns_per_second;
     seconds += piece.length / (asked > 0.0 ? std::min(asked, piece.limit) : piece.limit);
   }

@@ -5,6 +5,7 @@
 
 #include "patchmill/geometry/error.h"
 #include "patchmill/geometry/shared_progress.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/marks/tile.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::marks {
 namespace {
@@ -89,7 +89,7 @@ void mill(const ToolMotion& motion, const Cutter& cutter, const std::vector<Toot
   SharedProgress shared(progress, tiles.count());
   tbb::enumerable_thread_specific<Tile> scratch;
   std::atomic<std::int64_t> evaluations{0};
-  tbb::parallel_for(std::size_t{0}, tiles.count(), [&](std::size_t k) {
+  patchmill::parallel_for(std::size_t{0}, tiles.count(), [&](std::size_t k) {
     if (shared.stopped()) return;
     Tile& tile = scratch.local();
     tile.begin(grid, static_cast<int>(k % tiles.columns) * kTile,

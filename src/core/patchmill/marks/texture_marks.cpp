@@ -3,6 +3,7 @@
 #include "patchmill/marks/texture_marks.h"
 
 #include "patchmill/geometry/require.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/marks/base_lookup.h"
 #include "patchmill/marks/place_index.h"
 
@@ -12,7 +13,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::marks {
 namespace {
@@ -89,7 +89,7 @@ BaseMaker base_of_patches(const patch::Dimples& dimples, const patch::TexturePla
   return [known, index, reach](SurfaceGrid grid) {
     grid.sag.assign(static_cast<std::size_t>(grid.cells()), kNone);
     grid.normal.assign(static_cast<std::size_t>(grid.cells()), Vec3f::UnitZ());
-    tbb::parallel_for(0, grid.rows, [&](int j) {
+    patchmill::parallel_for(0, grid.rows, [&](int j) {
       for (int i = 0; i < grid.columns; ++i) {
         const Vec2 at = grid.plane_point(i, j);
         const std::size_t k = index->nearest(at);

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/marks/tooth_pass.h"
 
+#include "patchmill/geometry/stop.h"
 #include "patchmill/marks/base_lookup.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::marks {
 namespace {
@@ -250,7 +249,7 @@ std::vector<ToothPass> find_passes(const ToolMotion& motion, const Cutter& cutte
   require_valid(grid);
   const auto flutes = static_cast<std::size_t>(cutter.ball.flutes);
   std::vector<std::vector<ToothPass>> found(motion.runs.size() * flutes);
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
+  patchmill::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
     found[k] =
         PassFinder(motion, cutter, grid, stock, k / flutes, static_cast<int>(k % flutes)).find();
   });

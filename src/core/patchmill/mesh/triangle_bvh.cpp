@@ -3,6 +3,7 @@
 #include "patchmill/mesh/triangle_bvh.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/mesh/parity.h"
 
 #include <algorithm>
@@ -110,6 +111,7 @@ Vec3 closest_on(const Triangle& t, const Vec3& p) {
 
 ClosestPoint closest_point(const TriangleBvh& bvh, const Vec3& p, double reach) {
   ClosestPoint best;
+  stop_point();
   best.distance = reach;
   struct Visit {
     std::int32_t node;

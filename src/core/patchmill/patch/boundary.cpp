@@ -3,13 +3,13 @@
 #include "patchmill/patch/boundary.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::patch {
 namespace {
@@ -99,7 +99,7 @@ void keep_off_edges(Dimples& dimples, const std::vector<Segment3>& edges, double
     throw InputError("Margin", fmt::format("{} mm", margin), "give zero or a positive length.");
   if (margin == 0.0 || edges.empty()) return;
   const SegmentGrid grid(edges, margin);
-  tbb::parallel_for(std::size_t{0}, dimples.size(), [&](std::size_t k) {
+  patchmill::parallel_for(std::size_t{0}, dimples.size(), [&](std::size_t k) {
     Dimple& dimple = dimples[k];
     if (dimple.state == DimpleState::Cut && grid.any_within(dimple.surface.position, margin))
       dimple.state = DimpleState::NearEdge;

@@ -3,6 +3,7 @@
 #include "patchmill/patch/patch_surface.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::patch {
 namespace {
@@ -229,7 +229,7 @@ std::optional<Dimples> sampled(const PatchDivision& division, const TexturePlane
   for (const Dimple& dimple : dimples) places.push_back(place_of(to_vec(dimple.lattice)));
   const std::vector<PatchFrame> frames = sample_frames(division, place_of, sampler);
   const std::size_t count = dimples.size() / std::max<std::size_t>(1, frames.size());
-  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t k) {
+  patchmill::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t k) {
     const PatchWork work{plane, surface, places, dimples, k * count, (k + 1) * count};
     // corners beyond the net's end make no frame
     const bool framed = std::all_of(frames[k].places.begin(), frames[k].places.end(),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/sync/constant_feed.h"
 
+#include "patchmill/geometry/stop.h"
 #include "patchmill/sync/fit_length.h"
 #include "patchmill/sync/path_account.h"
 #include "patchmill/sync/planned_dimples.h"
@@ -80,6 +81,7 @@ ToolPath constant_feed_path(const patch::Dimples& dimples, const Tool& tool, con
   PathAccount build(path, turns_per_mm, rule.safe_height);
   build.begin(planned.front().tip, planned.front().number, rule.clearance_height, decimals);
   for (std::size_t i = 1; i < planned.size(); ++i) {
+    stop_point();
     const PlannedDimple &a = planned[i - 1], &b = planned[i];
     const double turns = spindle_advance(a.azimuth, b.azimuth, rule.phase, tool, spindle).turns();
     if (follows(a, b))

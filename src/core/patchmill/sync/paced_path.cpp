@@ -3,6 +3,7 @@
 #include "patchmill/sync/paced_path.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/machine/corner_blend.h"
 #include "patchmill/sync/path_repair.h"
 #include "patchmill/sync/planned_dimples.h"
@@ -66,8 +67,10 @@ class Builder {
   PacedPath build() {
     RowEnd here = arriving_at(0, steps_[0].direction);
     begin(here);
-    for (std::size_t i = 0; i + 1 < planned_.size(); ++i)
+    for (std::size_t i = 0; i + 1 < planned_.size(); ++i) {
+      stop_point();
       here = goes_on(i) ? row_step(i) : turn_around(i, here);
+    }
     end(here);
     result_.row_tolerance = round_rows(result_.path, spindle_.speed, model_);
     if (rule_.pace == Pace::SpindleLocked) keep_pitches();

@@ -3,6 +3,7 @@
 #include "patchmill/sync/tool_axis.h"
 
 #include "patchmill/geometry/require.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/sync/contact_azimuth.h"
 
 #include <cmath>
@@ -94,6 +95,7 @@ class Axes {
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       double change = 0.0;
       for (std::size_t i = 0; i < run.size(); ++i) {
+        stop_point();
         const Vec3& a = axes_[run[i > 0 ? i - 1 : i]];
         const Vec3& b = axes_[run[i + 1 < run.size() ? i + 1 : i]];
         const Vec3 mean = (a + 2.0 * axes_[run[i]] + b).normalized();

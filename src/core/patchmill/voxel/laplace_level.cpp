@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/voxel/laplace_level.h"
 
+#include "patchmill/geometry/stop.h"
 #include "patchmill/voxel/brick_halo.h"
 #include "patchmill/voxel/row.h"
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::voxel {
 namespace {
@@ -87,7 +86,7 @@ void smooth_brick(LaplaceLevel& level, std::size_t brick, SweepOrder order, bool
 void smooth_bricks(LaplaceLevel& level, SweepOrder order, bool from_zero, int sweeps) {
   for (int turn = 0; turn < 2; ++turn) {
     const auto& bricks = level.checker[order == SweepOrder::Forward ? turn : 1 - turn];
-    tbb::parallel_for(std::size_t{0}, bricks.size(), [&](std::size_t i) {
+    patchmill::parallel_for(std::size_t{0}, bricks.size(), [&](std::size_t i) {
       smooth_brick(level, bricks[i], order, from_zero, from_zero && turn == 0, sweeps);
     });
   }
@@ -108,7 +107,7 @@ void smooth(LaplaceLevel& level, SweepOrder order, bool from_zero) {
 }
 
 void restrict_residual(const LaplaceLevel& fine, LaplaceLevel& coarse) {
-  tbb::parallel_for(std::size_t{0}, fine.table->size(), [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, fine.table->size(), [&](std::size_t brick) {
     alignas(64) float diagonal[kBrickCells], residual[kBrickCells];
     load_diagonal(fine, brick, diagonal);
     const CoarseOctant up = octant_of(*fine.table, *coarse.table, brick);
@@ -130,7 +129,7 @@ void restrict_residual(const LaplaceLevel& fine, LaplaceLevel& coarse) {
 }
 
 void prolong_correction(const LaplaceLevel& coarse, LaplaceLevel& fine) {
-  tbb::parallel_for(std::size_t{0}, fine.table->size(), [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, fine.table->size(), [&](std::size_t brick) {
     alignas(64) float diagonal[kBrickCells];
     load_diagonal(fine, brick, diagonal);
     const CoarseOctant up = octant_of(*fine.table, *coarse.table, brick);

@@ -1,9 +1,8 @@
 // The multigrid hierarchy from the roles of the cells; see laplace_level.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/geometry/stop.h"
 #include "patchmill/voxel/brick_halo.h"
 #include "patchmill/voxel/laplace_level.h"
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::voxel {
 namespace {
@@ -46,7 +45,7 @@ Coarse coarsen(const BrickTable& fine, const std::vector<CellRole>& role, const 
                float scale, const HeldOf& held_of) {
   Coarse out{std::vector<float>(coarse.cell_count(), 0.0f),
              std::vector<CellRole>(coarse.cell_count(), CellRole::Outside)};
-  tbb::parallel_for(std::size_t{0}, fine.size(), [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, fine.size(), [&](std::size_t brick) {
     BrickHalo<CellRole> halo;
     load_halo(role.data(), fine, brick, halo);
     const CoarseOctant up = octant_of(fine, coarse, brick);
@@ -65,7 +64,7 @@ Coarse coarsen(const BrickTable& fine, const std::vector<CellRole>& role, const 
 
 void set_diagonal(LaplaceLevel& level, Coarse& coarse) {
   level.diagonal.assign(level.table->cell_count(), 0.0f);
-  tbb::parallel_for(std::size_t{0}, level.table->size(), [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, level.table->size(), [&](std::size_t brick) {
     BrickHalo<CellRole> halo;
     load_halo(coarse.role.data(), *level.table, brick, halo);
     for (int k = 0; k < kBrickSide; ++k)
@@ -87,7 +86,7 @@ LaplaceLevel finest_level(const BrickTable& table, const std::vector<CellRole>& 
   level.table = &table;
   level.faces.assign(table.cell_count(), 0);
   allocate(level, fields);
-  tbb::parallel_for(std::size_t{0}, table.size(), [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, table.size(), [&](std::size_t brick) {
     BrickHalo<CellRole> halo;
     load_halo(role.data(), table, brick, halo);
     for (int k = 0; k < kBrickSide; ++k)

@@ -3,6 +3,7 @@
 #include "patchmill/voxel/laplace_solver.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/voxel/brick_halo.h"
 #include "patchmill/voxel/laplace_kernels.h"
 #include "patchmill/voxel/reach.h"
@@ -11,8 +12,6 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::voxel {
 namespace {
@@ -30,7 +29,7 @@ std::vector<double> sum_over_bricks(const LaplaceLevel& level, const std::vector
                                     const Kernel& kernel) {
   const std::size_t bricks = level.table->size();
   std::vector<double> part(bricks * live.size());
-  tbb::parallel_for(std::size_t{0}, bricks, [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, bricks, [&](std::size_t brick) {
     alignas(64) float diagonal[kBrickCells];
     load_diagonal(level, brick, diagonal);
     for (std::size_t i = 0; i < live.size(); ++i)
@@ -98,7 +97,7 @@ struct Batch {
         sum_over_bricks(top(), live(), [&](std::size_t brick, std::size_t f, const float*) {
           return brick_dot(at(top().x[f], brick), at(top().b[f], brick));
         });
-    tbb::parallel_for(std::size_t{0}, top().table->size(), [&](std::size_t brick) {
+    patchmill::parallel_for(std::size_t{0}, top().table->size(), [&](std::size_t brick) {
       for (const std::size_t f : live()) {
         const double beta = field[f].restart || field[f].rz <= 0.0 ? 0.0 : next[f] / field[f].rz;
         brick_direction(at(top().x[f], brick), static_cast<float>(beta),
@@ -175,7 +174,7 @@ void check(const BrickTable& table, const std::vector<CellRole>& role, const Fie
 }
 
 void clear_outside(const std::vector<CellRole>& role, Fields& fields) {
-  tbb::parallel_for(std::size_t{0}, role.size() / kBrickCells, [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, role.size() / kBrickCells, [&](std::size_t brick) {
     for (std::size_t i = brick * kBrickCells; i < (brick + 1) * kBrickCells; ++i)
       if (role[i] == CellRole::Outside)
         for (auto& field : fields) field[i] = 0.0;

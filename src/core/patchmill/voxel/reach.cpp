@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/voxel/reach.h"
 
+#include "patchmill/geometry/stop.h"
+
 #include <array>
 #include <deque>
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::voxel {
 namespace {
@@ -65,7 +65,7 @@ bool within(const Bits& part, const Bits& whole) {
 
 std::int64_t exclude_unreached(const BrickTable& table, std::vector<CellRole>& role) {
   std::vector<Bits> open(table.size()), reached(table.size());
-  tbb::parallel_for(std::size_t{0}, table.size(), [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, table.size(), [&](std::size_t brick) {
     open[brick] = bits_of(role, brick, CellRole::Unknown);
     reached[brick] = bits_of(role, brick, CellRole::Held);
     flood(open[brick], reached[brick]);

@@ -3,12 +3,12 @@
 #include "patchmill/voxel/transient.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/voxel/brick_halo.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::voxel {
 namespace {
@@ -59,7 +59,7 @@ void explicit_step(const BrickTable& table, const std::vector<CellRole>& role, D
                    double r, const std::vector<double>& from, std::vector<double>& to) {
   const int first = axes == DiffusionAxes::All ? 0 : static_cast<int>(axes);
   const int last = axes == DiffusionAxes::All ? 2 : static_cast<int>(axes);
-  tbb::parallel_for(std::size_t{0}, table.size(), [&](std::size_t brick) {
+  patchmill::parallel_for(std::size_t{0}, table.size(), [&](std::size_t brick) {
     BrickHalo<double> value;
     BrickHalo<CellRole> kind;
     load_halo(from.data(), table, brick, value);

@@ -3,6 +3,7 @@
 #include "patchmill/voxel/voxelise.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/voxel/brick_bits.h"
 #include "patchmill/voxel/brick_halo.h"
 #include "patchmill/voxel/row_bits.h"
@@ -12,7 +13,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 namespace patchmill::voxel {
 namespace {
@@ -53,7 +53,7 @@ struct Gathering {
       for (const int x : columns[c].place) wanted[c * box.x() + x] = 1;
     grid.table = make_brick_table(frame.cells, wanted);
     grid.kind.assign(grid.table.cell_count(), VoxelKind::Removal);
-    tbb::parallel_for(std::size_t{0}, columns.size(), [&](std::size_t c) {
+    patchmill::parallel_for(std::size_t{0}, columns.size(), [&](std::size_t c) {
       for (const auto& [x, bits] : columns[c].mixed)
         write_kinds(bits, &grid.kind[std::size_t(grid.table.at[c * box.x() + x]) * kBrickCells]);
     });
@@ -70,9 +70,9 @@ struct Gathering {
     for (std::size_t brick = 0; brick < grid.table.size(); ++brick)
       if (near_air(grid.table, brick)) near.push_back(static_cast<std::int32_t>(brick));
     std::vector<std::array<std::uint8_t, 64>> skin(near.size());
-    tbb::parallel_for(std::size_t{0}, near.size(),
-                      [&](std::size_t i) { skin[i] = skin_bits(grid, near[i]); });
-    tbb::parallel_for(std::size_t{0}, near.size(), [&](std::size_t i) {
+    patchmill::parallel_for(std::size_t{0}, near.size(),
+                            [&](std::size_t i) { skin[i] = skin_bits(grid, near[i]); });
+    patchmill::parallel_for(std::size_t{0}, near.size(), [&](std::size_t i) {
       VoxelKind* kind = &grid.kind[std::size_t(near[i]) * kBrickCells];
       for (int cell = 0; cell < kBrickCells; ++cell)
         if (skin[i][cell / 8] >> (cell % 8) & 1) kind[cell] = VoxelKind::Exterior;
@@ -179,7 +179,7 @@ VoxelGrid voxelise(const mesh::TriangleMesh& stock, const mesh::TriangleMesh& pa
   const ColumnTriangles part_sorted = sort_into_columns(part, frame);
   Gathering gathering(frame);
   const Cell box = gathering.box;
-  tbb::parallel_for(std::size_t{0}, gathering.columns.size(), [&](std::size_t c) {
+  patchmill::parallel_for(std::size_t{0}, gathering.columns.size(), [&](std::size_t c) {
     RowBits in_stock, in_part, touched;
     const int column = static_cast<int>(c);
     inside_bits(stock_sorted, box, column, in_stock);
@@ -202,7 +202,7 @@ VoxelGrid voxelise(const Inside& in_stock, const Inside& in_part, const GridFram
   Gathering gathering(frame);
   const Cell box = gathering.box;
   const auto part_at = [&](const Cell& c) { return in_part(frame.centre(c)); };
-  tbb::parallel_for(std::size_t{0}, gathering.columns.size(), [&](std::size_t c) {
+  patchmill::parallel_for(std::size_t{0}, gathering.columns.size(), [&](std::size_t c) {
     for (int x = 0; x < box.x(); ++x) {
       std::array<std::uint8_t, 64> stock_rows{}, part_rows{}, touched_rows{};
       for (int n = 0; n < kBrickCells; ++n) {

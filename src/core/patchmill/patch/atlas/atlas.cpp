@@ -3,6 +3,7 @@
 #include "patchmill/patch/atlas/atlas.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,7 @@ std::array<Box2, 2> halves(const Chart& chart) {
 bool divide(const std::shared_ptr<const CurvedFace>& face, int number, const Box2& rectangle,
             double spacing, bool close_round, int depth, const Progress& progress,
             std::vector<PlacedChart>& out) {
+  stop_point();
   std::optional<Chart> chart =
       Chart::make(face, rectangle, spacing, depth < kMostDivisions, close_round, progress);
   if (!chart) return false;

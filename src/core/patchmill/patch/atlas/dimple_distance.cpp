@@ -1,14 +1,13 @@
 // Distances between dimples, whatever lattice, patch or face they belong to; see laid_lattice.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/patch/atlas/laid_lattice.h"
 #include "patchmill/patch/atlas/near_points.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <tbb/parallel_for.h>
 
 namespace patchmill::patch {
 
@@ -51,7 +50,7 @@ std::vector<double> nearest_distances(const Dimples& dimples) {
   for (double cube = size / std::sqrt(double(points.size())); !open.empty(); cube *= 2.0) {
     NearPoints all(cube);
     for (std::size_t k = 0; k < points.size(); ++k) all.add(*points[k], k);
-    tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
+    patchmill::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
       const std::size_t k = open[i];
       double squared = cube * cube;
       all.around(*points[k], [&](std::size_t n, double s) {

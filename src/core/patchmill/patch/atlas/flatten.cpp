@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/patch/atlas/flatten.h"
 
+#include "patchmill/geometry/stop.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -114,6 +116,7 @@ Eigen::VectorXd step(const ChartMesh& mesh, const std::vector<Vec2>& flat,
     entries.emplace_back(int(k), int(k), diagonal[k] > 0.0 ? damping * mean : 1.0);
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
+  stop_point();
   if (solver.rows() == 0) solver.analyzePattern(matrix);
   solver.factorize(matrix);
   if (solver.info() != Eigen::Success) return Eigen::VectorXd::Constant(n, kNotANumber);

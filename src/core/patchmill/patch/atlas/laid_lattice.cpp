@@ -3,6 +3,7 @@
 #include "patchmill/patch/atlas/laid_lattice.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/patch/atlas/near_points.h"
 #include "patchmill/patch/cover.h"
 #include "patchmill/patch/surface_walk.h"
@@ -60,6 +61,7 @@ void LaidLattice::each_point(const PlacedChart& c, const Vec2& offset, Take take
   const int j0 = int(std::floor(range.min().y())), j1 = int(std::ceil(range.max().y()));
   for (int j = j0; j <= j1; ++j)
     for (int i = i0; i <= i1; ++i) {
+      stop_point();
       const Vec2 own = c.to_own(lattice_place(kind_, f, Vec2(i, j)) + offset);
       if (!c.chart.bounds().contains(own)) continue;
       const auto place = c.chart.uv(own);
@@ -163,6 +165,7 @@ void LaidLattice::leave_out_crowded() {
   const double least = kLeastDistance * pattern_.spacing;
   NearPoints kept(least);
   for (std::size_t k = 0; k < points_.size(); ++k) {
+    stop_point();
     SurfaceSample& sample = points_[k].sample;
     if (sample.state != DimpleState::Cut) continue;
     bool room = true;
@@ -186,6 +189,7 @@ void LaidLattice::look_along(const TexturePlane& plane, const SurfaceSampler& sa
   const std::vector<SurfaceSample> seen = sampler(places);
   const double least = std::cos(steepest.radians());
   for (std::size_t k = 0; k < points_.size(); ++k) {
+    stop_point();
     SurfaceSample& sample = points_[k].sample;
     if (sample.state != DimpleState::Cut) continue;
     const double facing = -sample.point.normal.dot(plane.direction);
@@ -223,6 +227,7 @@ PatchDivision LaidLattice::cover(std::int64_t max_dimples) const {
   PatchDivision all;
   all.pattern = pattern_;
   for (int window = 0; window < atlas_.windows; ++window) {
+    stop_point();
     const LatticePoint shift = window_shift(window);
     const double half = 0.5 * window_shift(1)[1];
     Box2 flat;
