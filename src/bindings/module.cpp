@@ -87,28 +87,33 @@ class Watch {
 
 void bind_watch(py::module_& m) {
   py::exec(R"(
-class Cancelled(Exception):
-    """Ends what is done within `with Watch(progress)` when `progress` returned False; goes no further."""
+class Cancelled(BaseException):
+    """Ends what is done within `with Watch(progress)` when `progress` returned False; goes no further. No fault, and
+    so no Exception: nothing that handles faults on the way takes it for one."""
 )",
            m.attr("__dict__"));
   m.attr("Cancelled").attr("__module__") = "_patchmill";
   py::class_<Watch>(m, "Watch",
                     "with Watch(progress) as progress: all long calls within also ask `progress` "
-                    "(share -> bool, or None), and the "
-                    "block ends where it returns False.")
-      .def(py::init<py::object>(), py::arg("progress") = py::none())
-      .def("__call__", &Watch::tell, py::arg("share"))
+                    "(share -> bool, or None), and the block ends where it returns False.")
+      .def(py::init<py::object>(), py::arg("progress") = py::none(),
+           "Raises InputError naming Progress.")
+      .def("__call__", &Watch::tell, py::arg("share"),
+           "Tells the share done, 0 to 1; whether to go on. Raises what the progress raises.")
       .def(
           "__enter__",
           [](Watch& watch) -> Watch& {
             watches.push_back(&watch);
             return watch;
           },
-          py::return_value_policy::reference)
-      .def("__exit__", [](Watch&, const py::object& type, const py::object&, const py::object&) {
-        watches.pop_back();
-        return type.is(py::module_::import("_patchmill").attr("Cancelled"));
-      });
+          py::return_value_policy::reference, "Begins to be asked in this thread. Raises nothing.")
+      .def(
+          "__exit__",
+          [](Watch&, const py::object& type, const py::object&, const py::object&) {
+            watches.pop_back();
+            return type.is(py::module_::import("_patchmill").attr("Cancelled"));
+          },
+          "Ends it, and Cancelled with it. Raises nothing.");
 }
 
 bool watched(const py::object& callable, const std::function<void(const Progress&)>& work) {

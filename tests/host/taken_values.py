@@ -89,7 +89,7 @@ TAKEN = [
      "curve_mask loops, materials_of bodies, * holder, motion_of_path housing, part_model breps, "
      "check_clearance sections"),
     ("not given: flat in the plane, or without that field, part or base", "none",
-     "* lattice, save_voxels posture, save_voxels materials, VoxelGrid.section feed, "
+     "Watch progress, * lattice, save_voxels posture, save_voxels materials, VoxelGrid.section feed, "
      "VoxelGrid.section posture, apply_dcm feed, apply_dcm posture, apply_dcm part, "
      "simulate_texture base, TextureMarks.surface base"),
 ]

@@ -97,6 +97,7 @@ class Stops(WithDocuments):
     def test_copy_milling(self):
         _, job = make_job(pocket_part(), ball=True)
         op = patchmill.CopyMilling.Create("Copy", parentJob=job)
+        patchmill.recompute(op)
         given = copy_input.input_of(op)
         self.check("copy milling", lambda progress: copy_milling.mill(given, progress))
 

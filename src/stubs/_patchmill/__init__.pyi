@@ -186,6 +186,10 @@ from _patchmill.voxel import materials_of as materials_of
 from _patchmill.voxel import scale_feed as scale_feed
 
 __version__: str
+class Cancelled:
+    """Ends what is done within `with Watch(progress)` when `progress` returned False; goes no further. No fault, and
+        so no Exception: nothing that handles faults on the way takes it for one."""
+
 class InputError(ValueError):
     """Bad input: names the property, its value and the remedy."""
     property: str
@@ -197,5 +201,11 @@ class ThreadLimit:
     """While it lives, no more threads than this are used."""
     def __init__(self, threads: int) -> None:
         """At most so many threads, 1 or more. Raises InputError naming Threads."""
+        ...
+
+class Watch:
+    """with Watch(progress) as progress: all long calls within also ask `progress` (share -> bool, or None), and the block ends where it returns False."""
+    def __init__(self, progress: object = None) -> None:
+        """Raises InputError naming Progress."""
         ...
 

@@ -13,6 +13,7 @@ namespace patchmill {
 namespace {
 
 constexpr double kStep = 0.04;  // of the work: so often it waits for an answer, however fast it is
+constexpr double kRounding = 1e-9;  // a share told at a multiple of it is at that multiple
 
 class Job {
  public:
@@ -64,7 +65,7 @@ class Job {
   bool tell(double fraction) {
     fraction_ = fraction;
     std::unique_lock<std::mutex> lock(mutex_);
-    if (stop_ || std::abs(fraction - told_) < kStep) return !stop_;
+    if (stop_ || std::abs(fraction - told_) < kStep - kRounding) return !stop_;
     waits_ = true;
     news_.notify_all();
     answer_.wait(lock, [&] { return !waits_; });
