@@ -70,15 +70,18 @@ def main():
         how = job, os.path.join(folder, "program.ngc"), "patchmill_linuxcnc", "--precision=3"
         measure("post", lambda progress: patchmill.post(*how, progress))
     _, curved = job_on(Part.makeTorus(40, 15).common(Part.makeBox(80, 80, 40)), "Face1")
-    curved.Mapping, curved.PatchSide = "On surface", 6
+    curved.Mapping, curved.PatchSide, curved.Spacing = "On surface", 6, 0.2
     on_surface = curved.Proxy.texture_input(curved)
     measure("on surface", lambda progress: texture_operation.prepare(on_surface, progress))
     _, milling = make_job(pocket_part(), ball=True)
-    copy = copy_input.input_of(patchmill.CopyMilling.Create("Copy", parentJob=milling))
+    rough = patchmill.CopyMilling.Create("Copy", parentJob=milling)
+    rough.RadialDepth, rough.AxialDepth = 0.05, 0.1
+    patchmill.recompute(rough)  # finds its heights
+    copy = copy_input.input_of(rough)
     measure("copy milling", lambda progress: copy_milling.mill(copy, progress))
     _, milling = make_job(pocket_part())
     dressup = dress(add_pocket(milling))
-    dressup.VoxelSize = 0.25
+    dressup.VoxelSize = 0.08
     dcm = dcm_input.input_of(dressup)
     measure("dcm", lambda progress: dressup_dcm.compute(dcm, "", progress))
     measure("voxels", lambda progress: removal_model.make(dcm.model, "", progress))
