@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <string>
-
 #include <unistd.h>
 
 using namespace patchmill;

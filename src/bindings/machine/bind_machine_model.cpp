@@ -98,20 +98,19 @@ void bind_paths(py::module_& m) {
            py::arg("turning") = std::vector<double>(), py::arg("rows") = false,
            "`turning` [s] at each dimple, for rotary axes; heights and `lift` in mm. Raises "
            "nothing: paced_path refuses what cannot be planned.");
-  m.def(
-      "paced_path",
-      interruptible([](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
-                       const sync::PacedRule& rule, const machine::MotionModel& model,
-                       int decimals) {
-        sync::PacedPath made =
-            sync::paced_path(dimples, tool, spindle, rule, model, Decimals(decimals));
-        return std::make_pair(std::move(made.path), made.clearance);
-      }),
-      py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("rule"), py::arg("model"),
-      py::arg("decimals"),
-      "(path, least height of the ball between rows when a tooth passes [mm]). Raises InputError "
-      "naming Lift, SafeHeight, ClearanceHeight, Turning, ToolAxis, Spacing, MaxVelocity or "
-      "Decimals.");
+  m.def("paced_path",
+        interruptible([](const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
+                         const sync::PacedRule& rule, const machine::MotionModel& model,
+                         int decimals) {
+          sync::PacedPath made =
+              sync::paced_path(dimples, tool, spindle, rule, model, Decimals(decimals));
+          return std::make_pair(std::move(made.path), made.clearance);
+        }),
+        py::arg("dimples"), py::arg("tool"), py::arg("spindle"), py::arg("rule"), py::arg("model"),
+        py::arg("decimals"),
+        "(path, least height of the ball between rows when a tooth passes [mm]). Raises InputError "
+        "naming Lift, SafeHeight, ClearanceHeight, Turning, ToolAxis, Spacing, MaxVelocity or "
+        "Decimals.");
   m.def("fit_to_stops",
         interruptible([](const ToolPath& path, const machine::MotionModel& model, double feed,
                          const sync::PhaseRule& rule, int decimals) {
