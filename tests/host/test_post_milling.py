@@ -120,6 +120,9 @@ class PostMilling(WithDocuments):
         self.refused("Mode", job)  # its feed alone does not tilt the tool
         dressup.Controls, dressup.Machine = "Feed and posture", "table-table-ac"
         DressupDCM.recompute(dressup)
+        # the field's axes, spread over voxels of 3 mm, lean the flutes into the edge of this overhang
+        self.refused("PostGouging", job, "patchmill_linuxcnc", PLAIN)
+        dressup.PostGouging = True
         self.posts(job, "patchmill_linuxcnc", PLAIN)
         made = CopyMilling.mill(CopyMilling.input_of(operation))
         self.assertEqual(len(CopyMilling.remarks(made)), len(CopyMilling.remarks(made, True)) + 1)
