@@ -144,6 +144,21 @@ TEST(PacedPath, TakesFewTurnsAndHoldsItsPhase) {
   }
 }
 
+// What is lost at a rounded corner is planned for the tolerance that is posted, with six decimals.
+TEST(PacedPath, RoundsCornersByWhatIsPosted) {
+  for (const double acceleration : {500.0, 2000.0, 10000.0}) {
+    const PacedPath made = paced_path(random_dimples(5, 6), kTool, spindle(), rule(),
+                                      machine(acceleration), kDecimals);
+    int rounded = 0;
+    for (const Move& move : made.path.moves) {
+      if (!(move.tolerance > 0.0)) continue;
+      ++rounded;
+      EXPECT_NEAR(move.tolerance * 1e6, std::round(move.tolerance * 1e6), 1e-9);
+    }
+    EXPECT_GT(rounded, 10);
+  }
+}
+
 TEST(PacedPath, LinksGoOverTheSafeHeight) {
   const patch::Dimples dimples = random_dimples(2, 3, 2);
   const PacedPath paced = paced_path(dimples, kTool, spindle(), rule(), machine(), kDecimals);
