@@ -1,5 +1,5 @@
-// A whole texture, from a face to its ToolPath: a wavy B-spline face of 100 x 100 poles, square patches,
-// constant feed. Before it OpenCASCADE's intersector on the same face, as the peer: what a texture would
+// A whole texture, from a face to its ToolPath: a wavy B-spline face of 100 x 100 poles, square patches in helices or
+// rows over the whole face, constant feed. Before it OpenCASCADE's intersector on the same face, as the peer: what a texture would
 // take that only projected its dimples with it. Items are dimples. Counters: the share of each stage in
 // per cent, and `peak_MiB`, the most memory that the process had up to then.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -8,6 +8,7 @@
 #include "patchmill/patch/boundary.h"
 #include "patchmill/patch/cover.h"
 #include "patchmill/patch/patch_surface.h"
+#include "patchmill/patch/row_order.h"
 #include "patchmill/sync/constant_feed.h"
 #include "patchmill/sync/contact_azimuth.h"
 
@@ -60,8 +61,8 @@ struct Stopwatch {
   }
 };
 
-// {preparing the face, projecting, limits, path} [s]
-std::array<double, 4> face_to_path(const TopoDS_Face& face, double size,
+// {preparing the face, projecting, limits and order, path} [s]
+std::array<double, 4> face_to_path(const TopoDS_Face& face, double size, bool rows,
                                    std::int64_t& dimples_made) {
   const patch::TexturePlane plane;
   std::array<double, 4> seconds{};
@@ -78,6 +79,7 @@ std::array<double, 4> face_to_path(const TopoDS_Face& face, double size,
   seconds[1] = watch.lap();
   sync::mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
   patch::drop_slivers(dimples, 10);
+  if (rows) dimples = patch::in_rows(dimples, patch::lattice_of(patch::PatchShape::Square), {});
   seconds[2] = watch.lap();
   sync::PhaseRule rule{sync::FluteChoice::Same, 5.0, {}};
   const ToolPath path =
@@ -97,24 +99,26 @@ void texture(benchmark::State& state) {
   std::array<double, 4> sums{};
   std::int64_t dimples = 0;
   for (auto _ : state) {
-    const auto seconds = face_to_path(face, size, dimples);
+    const auto seconds = face_to_path(face, size, state.range(2) != 0, dimples);
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += seconds[i];
   }
   state.SetItemsProcessed(state.iterations() * dimples);
   const double all = sums[0] + sums[1] + sums[2] + sums[3];
-  const char* names[] = {"prepare_%", "project_%", "limits_%", "path_%"};
+  const char* names[] = {"prepare_%", "project_%", "order_%", "path_%"};
   for (std::size_t i = 0; i < sums.size(); ++i) state.counters[names[i]] = 100.0 * sums[i] / all;
   state.counters["peak_MiB"] = peak_mib();
 }
 BENCHMARK(texture)
-    ->ArgNames({"dimples", "threads"})
-    ->ArgsProduct({{10000, 100000, 1000000}, {2}})
-    ->Args({1000000, 1})
+    ->ArgNames({"dimples", "threads", "rows"})
+    ->ArgsProduct({{10000, 100000, 1000000}, {2}, {0, 1}})
+    ->Args({1000000, 1, 0})
+    ->Args({1000000, 1, 1})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(texture)
-    ->ArgNames({"dimples", "threads"})
-    ->Args({10000000, 2})
+    ->ArgNames({"dimples", "threads", "rows"})
+    ->Args({10000000, 2, 0})
+    ->Args({10000000, 2, 1})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();

@@ -76,6 +76,17 @@ TEST(RowOrder, OfASquareBlockIsALineToAndFro) {
   }
 }
 
+TEST(RowOrder, OfRowsFarApartIsThatOfRowsSideBySide) {
+  Dimples near = block(PatchShape::Square, 5, 2, 2), far = near;
+  for (Dimple& dimple : far) dimple.lattice[1] *= 1000;
+  const LatticeKind kind = lattice_of(PatchShape::Square);
+  const Dimples one = in_rows(near, kind, {}), other = in_rows(far, kind, {});
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    EXPECT_EQ(one[k].lattice[0], other[k].lattice[0]);
+    EXPECT_EQ(1000 * one[k].lattice[1], other[k].lattice[1]);
+  }
+}
+
 TEST(RowOrder, RefusesAStepThatTheLatticeHasNot) {
   try {
     in_rows(block(PatchShape::Square, 2, 1, 1), LatticeKind::Square,

@@ -11,6 +11,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 
 namespace patchmill::patch {
 namespace {
@@ -123,6 +124,16 @@ void make_pyramid(const PatchWork& work, const PatchFrame& frame) {
 // From lattice coordinates to what is there; whole coordinates are dimples.
 using LatticeSampler = std::function<std::vector<SurfaceSample>(const std::vector<Vec2>& lattice)>;
 
+// visit(i) for 0..count-1, on as many threads as there are.
+template <class Visit>
+void each(std::size_t count, const Visit& visit) {
+  constexpr std::size_t kLeast = 4096;
+  patchmill::parallel_for(tbb::blocked_range<std::size_t>(0, count, kLeast),
+                          [&](const tbb::blocked_range<std::size_t>& range) {
+                            for (std::size_t i = range.begin(); i < range.end(); ++i) visit(i);
+                          });
+}
+
 // Samples in batches, so that progress moves and memory stays bounded. False if asked to stop.
 bool sample_all(const LatticeSampler& sampler, const Progress& progress, Dimples& dimples) {
   std::vector<Vec2> batch;
@@ -131,10 +142,10 @@ bool sample_all(const LatticeSampler& sampler, const Progress& progress, Dimples
     for (std::size_t k = first; k < dimples.size() && batch.size() < kBatch; ++k)
       batch.push_back(to_vec(dimples[k].lattice));
     const std::vector<SurfaceSample> samples = sampler(batch);
-    for (std::size_t i = 0; i < batch.size(); ++i) {
+    each(batch.size(), [&](std::size_t i) {
       dimples[first + i].state = samples[i].state;
       if (samples[i].state != DimpleState::OffFace) dimples[first + i].surface = samples[i].point;
-    }
+    });
     if (!go_on(progress, double(first + batch.size()) / double(dimples.size()))) return false;
   }
   return true;
@@ -269,7 +280,14 @@ std::optional<Dimples> sample_patches(const PatchDivision& division, const Textu
                                       const SurfaceSampler& sampler, const PatchSurface& surface,
                                       const Progress& progress) {
   const auto flat = [&](const Vec2& lattice) { return place(division, lattice); };
-  return sample_patches(division, plane, flat, sampler, surface, progress);
+  const LatticeSampler everywhere = [&](const std::vector<Vec2>& lattice) {
+    std::vector<Vec2> places(lattice.size());
+    each(places.size(), [&](std::size_t i) { places[i] = flat(lattice[i]); });
+    return sampler(places);
+  };
+  return sampled(division, plane, flat, sampler,
+                 division.anchor.allFinite() ? everywhere : through_plane(flat, sampler), surface,
+                 progress);
 }
 
 }  // namespace patchmill::patch

@@ -3,16 +3,20 @@
 #include "patchmill/patch/row_order.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <tbb/parallel_sort.h>
 
 namespace patchmill::patch {
 namespace {
+
+constexpr std::int64_t kSparse = 4;  // lines for each place, beyond which they are not counted
 
 // Where a dimple is in the order. `line` counts the rows across, `at` goes along them.
 struct Place {
@@ -45,6 +49,29 @@ void go_to_and_fro(std::vector<Place>& places) {
   }
 }
 
+// Sorts places of one patch: lines are numbers without gaps, but for holes, so that each place can be put to its line
+// at once; what is left to sort is each line.
+void sort_by_line(std::vector<Place>& places) {
+  const auto [low, high] = std::minmax_element(
+      places.begin(), places.end(), [](const Place& a, const Place& b) { return a.line < b.line; });
+  const std::int64_t first = low->line, lines = high->line - first + 1;
+  if (lines > kSparse * std::int64_t(places.size())) {
+    tbb::parallel_sort(places.begin(), places.end());
+    return;
+  }
+  std::vector<std::size_t> begin(std::size_t(lines) + 1, 0);
+  for (const Place& place : places) ++begin[std::size_t(place.line - first) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  std::vector<Place> by_line(places.size());
+  for (const Place& place : places) by_line[next[std::size_t(place.line - first)]++] = place;
+  patchmill::parallel_for(std::size_t{0}, next.size(), [&](std::size_t line) {
+    std::sort(by_line.begin() + std::ptrdiff_t(begin[line]),
+              by_line.begin() + std::ptrdiff_t(begin[line + 1]));
+  });
+  places = std::move(by_line);
+}
+
 // The dimples to be cut, sorted along and across the rows; patch by patch unless `whole`.
 std::vector<Place> sorted(const Dimples& dimples, const LatticePoint& step, bool whole) {
   std::vector<Place> places;
@@ -55,7 +82,10 @@ std::vector<Place> sorted(const Dimples& dimples, const LatticePoint& step, bool
     places.back().patch = whole ? 0 : dimples[k].patch;
     places.back().index = static_cast<std::uint32_t>(k);
   }
-  tbb::parallel_sort(places.begin(), places.end());
+  if (whole && !places.empty())
+    sort_by_line(places);
+  else
+    tbb::parallel_sort(places.begin(), places.end());
   return places;
 }
 

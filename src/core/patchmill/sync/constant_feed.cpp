@@ -7,8 +7,6 @@
 #include "patchmill/sync/path_account.h"
 #include "patchmill/sync/planned_dimples.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace patchmill::sync {
@@ -28,21 +26,57 @@ void require_valid(const ConstantFeed& rule, const Tool& tool, const Spindle& sp
   require_heights(rule.safe_height, rule.clearance_height);
 }
 
-void step(PathAccount& build, const PlannedDimple& a, const PlannedDimple& b, double turns,
-          double feed, double turns_per_mm, const Decimals& decimals) {
-  const double length = build.length_for(turns), distance = (b.tip - a.tip).norm();
-  if (length < distance)
-    throw InputError(
-        "Feed", fmt::format("{:.3f} mm/min", feed * 60.0),
-        fmt::format(
-            "{:.3f} turns take the tool {:.4f} mm, and dimple {} is {:.4f} mm away: give at "
-            "least {:.3f} mm/min, or more extra turns.",
-            turns, turns / turns_per_mm, b.number, distance, 60.0 * feed * distance / length));
-  const Vec3 ideal = apex(a.tip, b.tip, a.normal + b.normal, length);
-  build.require_turns(turns);
-  build.timed(fit_corner(a.tip, ideal, b.tip, length, decimals, kGoodFit), MoveKind::Cut);
-  build.timed(b.tip, MoveKind::Cut, b.number);
-}
+// The path as it grows: each step is owed what the rounding of those before it has left, so it is made one by one.
+class Polygons {
+ public:
+  Polygons(ToolPath& path, const ConstantFeed& rule, double turns_per_mm, double feed,
+           const Decimals& decimals)
+      : build_(path, turns_per_mm, rule.safe_height),
+        rule_(rule),
+        turns_per_mm_(turns_per_mm),
+        feed_(feed),
+        period_(phase_period(path.tool.flutes, rule.phase.flutes).turns()),
+        decimals_(decimals) {}
+
+  void add(const PlannedBatch& batch) {
+    stop_point();
+    for (std::size_t i = 0; i < batch.planned.size(); ++i) {
+      const PlannedDimple& b = batch.planned[i];
+      if (!begun_)
+        build_.begin(b.tip, b.number, rule_.clearance_height, decimals_);
+      else if (follows(last_, b))
+        step(last_, b, batch.turns[i]);
+      else
+        build_.link(b.tip, b.number, batch.turns[i], period_, decimals_);
+      begun_ = true;
+      last_ = b;
+    }
+  }
+  void end() { build_.end(rule_.clearance_height, decimals_); }
+
+ private:
+  void step(const PlannedDimple& a, const PlannedDimple& b, double turns) {
+    const double length = build_.length_for(turns), distance = (b.tip - a.tip).norm();
+    if (length < distance)
+      throw InputError(
+          "Feed", fmt::format("{:.3f} mm/min", feed_ * 60.0),
+          fmt::format(
+              "{:.3f} turns take the tool {:.4f} mm, and dimple {} is {:.4f} mm away: give at "
+              "least {:.3f} mm/min, or more extra turns.",
+              turns, turns / turns_per_mm_, b.number, distance, 60.0 * feed_ * distance / length));
+    const Vec3 ideal = apex(a.tip, b.tip, a.normal + b.normal, length);
+    build_.require_turns(turns);
+    build_.timed(fit_corner(a.tip, ideal, b.tip, length, decimals_, kGoodFit), MoveKind::Cut);
+    build_.timed(b.tip, MoveKind::Cut, b.number);
+  }
+
+  PathAccount build_;
+  const ConstantFeed& rule_;
+  double turns_per_mm_, feed_, period_;
+  const Decimals& decimals_;
+  PlannedDimple last_{};
+  bool begun_ = false;
+};
 
 }  // namespace
 
@@ -62,34 +96,21 @@ Vec3 apex(const Vec3& a, const Vec3& b, const Vec3& up, double length) {
 ToolPath constant_feed_path(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
                             const ConstantFeed& rule, const Decimals& decimals) {
   require_valid(rule, tool, spindle);
-  const std::vector<PlannedDimple> planned =
-      planned_dimples(dimples, tool.radius, rule.phase, decimals);
-  if (planned.empty())
+  const PlannedExtent extent = planned_extent(dimples, tool.radius, decimals, rule.safe_height);
+  if (extent.dimples == 0)
     throw InputError("Dimples", "0",
                      "every lattice point was left out: see the counts by reason, and change the "
                      "faces, the limits or the tool axis.");
   const double feed = posted_feed(rule.feed, decimals);
   require_positive("Feed", feed * 60.0, "mm/min after rounding");
-  const double turns_per_mm = spindle.speed / feed;
-  const double period = phase_period(tool.flutes, rule.phase.flutes).turns();
-  require_below(rule.safe_height, planned, 0.0);
+  require_below(rule.safe_height, extent);
 
   ToolPath path{tool, spindle, {}, {}};
-  std::size_t links = 0;  // of three moves each; others have two
-  for (std::size_t i = 1; i < planned.size(); ++i) links += !follows(planned[i - 1], planned[i]);
-  path.moves.reserve(2 * planned.size() + links + 16);
-  PathAccount build(path, turns_per_mm, rule.safe_height);
-  build.begin(planned.front().tip, planned.front().number, rule.clearance_height, decimals);
-  for (std::size_t i = 1; i < planned.size(); ++i) {
-    stop_point();
-    const PlannedDimple &a = planned[i - 1], &b = planned[i];
-    const double turns = spindle_advance(a.azimuth, b.azimuth, rule.phase, tool, spindle).turns();
-    if (follows(a, b))
-      step(build, a, b, turns, feed, turns_per_mm, decimals);
-    else
-      build.link(b.tip, b.number, turns, period, decimals);
-  }
-  build.end(rule.clearance_height, decimals);
+  path.moves.reserve(2 * extent.dimples + extent.gaps + 16);  // a link has three moves, others two
+  Polygons polygons(path, rule, spindle.speed / feed, feed, decimals);
+  in_batches(dimples, tool, spindle, rule.phase, decimals,
+             [&](const PlannedBatch& batch) { polygons.add(batch); });
+  polygons.end();
   return path;
 }
 

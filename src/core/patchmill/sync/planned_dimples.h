@@ -7,6 +7,8 @@
 #include "patchmill/path/rounding.h"
 #include "patchmill/sync/phase_rule.h"
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace patchmill::sync {
@@ -24,6 +26,29 @@ struct PlannedDimple {
 std::vector<PlannedDimple> planned_dimples(const patch::Dimples& dimples, double radius,
                                            const PhaseRule& rule, const Decimals& decimals);
 
+/// Some of the Cut dimples, in their order, and the turns that each asks for from the one before it (spindle_advance);
+/// of the first of all nobody asks.
+struct PlannedBatch {
+  std::vector<PlannedDimple> planned;
+  std::vector<double> turns;
+};
+
+/// Plans all Cut dimples batch after batch on as many threads as there are, and hands the batches to `take` in their
+/// order, one at a time; so memory is that of a few batches. Errors: as planned_dimples, and what `take` throws.
+void in_batches(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
+                const PhaseRule& rule, const Decimals& decimals,
+                const std::function<void(const PlannedBatch&)>& take);
+
+/// What a path over all Cut dimples will be like.
+struct PlannedExtent {
+  std::size_t dimples = 0;  ///< Cut
+  std::size_t gaps = 0;     ///< before a dimple that does not follow the one before it in its patch
+  std::int32_t too_high = -1;  ///< number of the first whose tip is above the safe height, or -1
+  double z = 0.0;              ///< of that tip [mm]
+};
+PlannedExtent planned_extent(const patch::Dimples& dimples, double radius, const Decimals& decimals,
+                             double safe_height);
+
 /// Errors: InputError naming SpindleSpeed or ToolDiameter unless both are greater than zero.
 void require_turning_tool(const Tool& tool, const Spindle& spindle);
 
@@ -33,5 +58,6 @@ void require_heights(double safe_height, double clearance_height);
 
 /// Errors: InputError naming SafeHeight if that is less than `lift` over a dimple's tip [mm].
 void require_below(double safe_height, const std::vector<PlannedDimple>& planned, double lift);
+void require_below(double safe_height, const PlannedExtent& extent);
 
 }  // namespace patchmill::sync
