@@ -151,7 +151,7 @@ def set_quantity(panel, name, value):
 
 def ready(panel):
     """Waits until the panel's plan is there for its input, or an error is shown."""
-    return wait(lambda: panel.ready_now() or panel.error is not None)
+    return wait(lambda: panel.ready_now() or panel.error is not None, 240)
 
 
 def run_tests(*cases):

@@ -11,9 +11,14 @@ from unittest import mock
 import driver
 import FreeCAD
 import FreeCADGui
+import hands
 from patchmill.machine import machines
 from PySide import QtGui
 
+AXIS = "[AXIS_%s]\nMAX_VELOCITY = 50\nMAX_ACCELERATION = 750\nMIN_LIMIT = -100\nMAX_LIMIT = 100\n"
+CONFIGURATION = "[KINS]\nKINEMATICS = trivkins\n[HAL]\nHALFILE = mill.hal\n"
+CONFIGURATION += "".join(AXIS % letter for letter in "XYZ")
+HAL = "net turns encoder.0.position => spindle.0.revs\nnet index spindle.0.index-enable encoder.0.index\n"
 ACCELERATION = ("linear_axes", "acceleration_mm_s2")
 
 
@@ -77,6 +82,28 @@ class EditsMachines(unittest.TestCase):
         self.choose("linuxcnc-mill")
         self.assertFalse(self.editor.save("../ours"))
         self.assertIn("letters", self.editor.message.text())
+
+    def test_a_linuxcnc_configuration_is_imported_by_clicks(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (("shop mill.ini", CONFIGURATION), ("mill.hal", HAL), ("bad.ini", "[EMC]\n")):
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                    file.write(text)
+            self.choose("linuxcnc-mill")
+            driver.answer_file_dialog(os.path.join(folder, "bad.ini"))
+            hands.click(self.editor.buttons["import"])
+            self.assertTrue(driver.wait(lambda: self.editor.message.text() != "", 20))
+            self.assertIn("bad.ini", self.editor.message.text())
+            self.assertEqual(self.editor.key, "linuxcnc-mill")
+            driver.answer_file_dialog(os.path.join(folder, "shop mill.ini"))
+            hands.click(self.editor.buttons["import"])
+            self.assertTrue(driver.wait(lambda: self.editor.key == "shop-mill", 20))
+        self.assertIn("start phase", self.editor.where.text())
+        self.assertFalse(machines.own("shop-mill"))
+        hands.click(self.editor.buttons["save"])
+        self.assertTrue(driver.wait(lambda: machines.own("shop-mill"), 20), self.editor.message.text())
+        self.assertEqual(self.editor.choice.currentText(), "shop-mill")
+        self.assertEqual(machines.load("shop-mill").model.acceleration, 750.0)
+        self.assertTrue(machines.load("shop-mill").model.spindle_lock)
 
     def test_an_open_panel_lists_a_machine_that_is_saved_meanwhile(self):
         document, part = driver.new_document(driver.wavy_block())

@@ -5,18 +5,18 @@ Shipped files are not touched: a changed one is saved in the user's folder, and 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import os
+
 import FreeCADGui
 from _patchmill import InputError
-from FreeCAD import Qt
 from patchmill.machine import machine_table, machines
+from patchmill.machine.linuxcnc import machine_of
 from PySide import QtCore, QtGui
+
+from patchmill_gui.forms.widgets import ERROR_COLOUR, translate
 
 PLACE = QtCore.Qt.UserRole
 VALUE = 1  # column
-
-
-def translate(text):
-    return Qt.translate("PatchMill", text)
 
 
 def show(key=None):
@@ -51,8 +51,9 @@ class MachineEditor(QtGui.QDialog):
         self.tree.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.tree.setAlternatingRowColors(True)
         self.where, self.message = QtGui.QLabel(), QtGui.QLabel()
-        self.message.setStyleSheet("color: #c0392b")
+        self.message.setStyleSheet("color: " + ERROR_COLOUR)
         self.message.setTextFormat(QtCore.Qt.PlainText)
+        self.where.setTextFormat(QtCore.Qt.PlainText)
         for label in (self.where, self.message):
             label.setWordWrap(True)
         self.buttons = {}
@@ -60,6 +61,7 @@ class MachineEditor(QtGui.QDialog):
         for name, text, call in [
             ("save", translate("Save"), self.save),
             ("copy", translate("Save as …"), self._ask_copy),
+            ("import", translate("Import …"), self._ask_import),
             ("remove", translate("Remove my file"), self.remove),
             ("close", translate("Close"), self.reject),
         ]:
@@ -67,6 +69,7 @@ class MachineEditor(QtGui.QDialog):
             button.setAutoDefault(False)
             button.clicked.connect(lambda checked=False, call=call: call())
             row.addWidget(button)
+        self.buttons["import"].setToolTip(translate("Reads the configuration of a LinuxCNC machine"))
         layout = QtGui.QVBoxLayout(self)
         for widget in (self.choice, self.where, self.tree, self.message):
             layout.addWidget(widget)
@@ -167,6 +170,29 @@ class MachineEditor(QtGui.QDialog):
         )
         if good:
             self.save(name.strip())
+
+    def _ask_import(self):
+        name, _ = QtGui.QFileDialog.getOpenFileName(
+            self, translate("LinuxCNC configuration"), "", translate("LinuxCNC configuration") + " (*.ini)"
+        )
+        if name:
+            self.import_from(name)
+
+    def import_from(self, filename):
+        """Shows the machine of a LinuxCNC .ini file, with what that does not say; nothing is saved yet."""
+        try:
+            found = machine_of.read(filename)
+        except InputError as error:
+            self._say(error)
+            return
+        self.key, self.data = machines.free_key(os.path.splitext(os.path.basename(filename))[0]), found.data
+        self.choice.setCurrentIndex(-1)
+        begin = translate("From {}; to be saved as {}.").format(os.path.basename(filename), self.key)
+        self.where.setText("\n".join([begin, *found.remarks]))
+        self.buttons["remove"].setEnabled(False)
+        self._fill()
+        self._say(None)
+        self._mark(True)
 
     def remove(self):
         """Takes the user's own file away; a shipped one of the same name shows again."""

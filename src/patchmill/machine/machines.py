@@ -7,6 +7,7 @@ schema.py and by the core's kinematics; what is wrong is named by its place in t
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import itertools
 import json
 import math
 import os
@@ -96,6 +97,14 @@ def own(key):
 def is_key(key):
     """Whether it can be the name of a machine file, and of nothing outside the folder."""
     return isinstance(key, str) and re.fullmatch(KEY, key) is not None
+
+
+def free_key(text):
+    """The key that is nearest to a text and that no machine file has."""
+    key = re.sub(r"[^A-Za-z0-9._-]+", "-", text).lstrip("._-") or "machine"
+    taken = set(names())
+    free = (key if n == 1 else "%s-%d" % (key, n) for n in itertools.count(1))
+    return next(each for each in free if each not in taken)
 
 
 def remove(key):
