@@ -35,15 +35,16 @@ class Pauses:
         self.longest, self.last = max(self.longest, 1000.0 * (now - self.last)), now
 
 
+def begun(shape):
+    """(operation, its open panel) of a curved texture on a document's only part, as it is proposed."""
+    _, part = driver.new_document(shape)
+    return driver.begin_texture(part)
+
+
 def pauses():
     """The longest pause while 667,000 lattice points on 300 x 200 mm are previewed and planned, and how long
     FreeCAD itself then takes to take the finished path over, which is not ours to move."""
-    document, part = driver.new_document(driver.wavy_block(300.0, 200.0))
-    driver.select(part, driver.top_face(part.Shape))
-    FreeCADGui.runCommand("PatchMill_CurvedTexture")
-    operation = document.getObject("CurvedTexture")
-    panel = driver.panel_of(operation)
-    driver.ready(panel)
+    operation, panel = begun(driver.wavy_block(300.0, 200.0))
     panel.page.properties.rows["PatchSide"].editor.setValue(20)
     found = Pauses()
     driver.set_quantity(panel, "Spacing", 0.3)
@@ -61,12 +62,7 @@ def pauses():
 
 def previews():
     """From a changed value to dimples on the screen, around 10^5 dimples on 120 x 80 mm."""
-    document, part = driver.new_document(driver.wavy_block(120.0, 80.0))
-    driver.select(part, driver.top_face(part.Shape))
-    FreeCADGui.runCommand("PatchMill_CurvedTexture")
-    operation = document.getObject("CurvedTexture")
-    panel = driver.panel_of(operation)
-    driver.ready(panel)
+    operation, panel = begun(driver.wavy_block(120.0, 80.0))
     for spacing in (0.31, 0.305, 0.31, 0.305):
         driver.wait(panel.ready_now)
         driver.rest(0.5)
@@ -94,12 +90,7 @@ def previews():
 
 def relief(side=3163):
     """A relief of 10^7 points: made, shown, and turned."""
-    document, part = driver.new_document(driver.wavy_block())
-    driver.select(part, driver.top_face(part.Shape))
-    FreeCADGui.runCommand("PatchMill_CurvedTexture")
-    operation = document.getObject("CurvedTexture")
-    panel = driver.panel_of(operation)
-    driver.ready(panel)
+    operation, panel = begun(driver.wavy_block())
     panel.accept()
     driver.wait(lambda: not driver.panel_open())
     x, y = np.meshgrid(np.linspace(0, 30, side), np.linspace(0, 20, side))
