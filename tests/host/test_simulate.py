@@ -14,6 +14,8 @@ import FreeCAD
 import numpy as np
 import Part
 import patchmill
+from matplotlib import pyplot as plt
+from patchmill.reports import relief_report
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from recipe import ROOT, small_job  # noqa: E402
@@ -48,6 +50,23 @@ class Simulate(unittest.TestCase):
         # isolated by the stock or by ridges of about f² / 8R (1 + slope) ... 2 of it
         self.assertTrue(0.02 < data["depth_mm"] < 0.1, data)
         self.assertIn("square", result.text())
+
+    def test_two_textures_of_one_place_are_drawn_side_by_side(self):
+        window = ((-1, -1), (1, 1))
+        planned = patchmill.simulate(self.op, window=window)
+        rough = patchmill.simulate(self.op, window=window, runout=(0.02, 0.0))
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = relief_report.draw_beside((("one", planned), ("other", rough)), folder)
+            name, caption = drawn["beside"]
+            self.assertIn("one, %s; other, %s" % (planned.source, rough.source), caption)
+            size = plt.imread(name).shape
+            self.assertGreater(size[1], 1.5 * size[0])  # two in a row
+            left, right = np.array_split(plt.imread(name)[..., 0], 2, axis=1)
+            self.assertGreater(np.abs(left[:, : right.shape[1]] - right).mean(), 0.01)
+            other = patchmill.simulate(self.op, window=((-2, -1), (1, 1)))
+            with self.assertRaises(patchmill.InputError) as raised:
+                relief_report.draw_beside((("one", planned), ("other", other)), folder)
+            self.assertEqual(raised.exception.property, "Window")
 
     def test_posted_text_makes_the_same_relief(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -11,11 +11,13 @@ import os
 import FreeCAD
 import Part
 import patchmill
+from patchmill.advice import apply, assessment, choice
 from patchmill.freecad import host
 
 # Table 2 of the paper, and what it leaves open: 14 dimples a side make 8 x 8 patches of 56 mm.
 TOOL_DIAMETER, FLUTES, SPEED, FEED, SPACING = 2.0, 2, 1000.0, 434.413, 0.5
 PATCH_SIDE, PATCHES = 14, 8
+MACHINE, WINDOW = "linuxcnc-mill", ((-24.0, -24.0), (-17.0, -17.0))  # where both textures are compared
 
 
 def top_face(shape):
@@ -55,6 +57,28 @@ def make_job(part, decimals=3, direction="Forward"):
     return job, operation
 
 
+def as_patchmill_proposes(step_file, say):
+    """The same texture with the values that PatchMill proposes for a LinuxCNC mill, planned in a document of
+    its own, which is closed again."""
+    document, part = make_document(step_file, "proposed")
+    operation = make_job(part)[1]
+    operation.Machine = MACHINE
+    given = operation.Proxy.texture_input(operation)
+    apply.set_fields(
+        operation, choice.choose(assessment.with_simulation(patchmill.simulate), given, True).fields
+    )
+    plan = patchmill.recompute(operation)
+    say("proposed: %s, %s; %s" % (operation.Strategy, operation.Order, operation.Verdict))
+    FreeCAD.closeDocument(document.Name)
+    return plan
+
+
+def side_by_side(published, proposed):
+    """What a LinuxCNC mill makes of both on the same steep place: pairs for write_report."""
+    pairs = (("as published", published), ("as PatchMill proposes", proposed))
+    return [(what, patchmill.simulate(plan, machine=MACHINE, window=WINDOW)) for what, plan in pairs]
+
+
 def run(step_file, out_folder, say=print):
     """Texture, post, save and report; returns the names of the files written."""
     os.makedirs(out_folder, exist_ok=True)
@@ -72,8 +96,10 @@ def run(step_file, out_folder, say=print):
     document.saveAs(saved)
     say("cutting the posted program in the simulator")
     simulated = patchmill.simulate(operation, path=posted[0].path)
+    say("looking for the values that PatchMill proposes for the same face")
+    beside = side_by_side(plan, as_patchmill_proposes(step_file, say))
     say("drawing pictures and writing the report")
-    reports = patchmill.write_report(posted[0], plan, gcode, out_folder, simulated)
+    reports = patchmill.write_report(posted[0], plan, gcode, out_folder, simulated, beside)
     FreeCAD.closeDocument(document.Name)
     return [gcode, saved] + reports
 

@@ -49,6 +49,24 @@ def draw(simulated, folder):
     return names
 
 
+def draw_beside(textures, folder):
+    """Writes a picture of several textures of one window of a face, pairs (what it is, SimulatedTexture),
+    side by side; returns {key: (file name, caption)} as draw(). Raises InputError naming Window if they are
+    not of one grid."""
+    step, origin = textures[0][1].step, textures[0][1].origin
+    shapes = {(each.heights.shape, each.step) for _, each in textures}
+    if len(shapes) > 1:
+        remedy = "simulate the same window of the same plane."
+        raise core.InputError("Window", "%d grids" % len(shapes), remedy)
+    titles = ["%s: quality %.2f, %s" % (what, t.quality, t.alignment["state"]) for what, t in textures]
+    heights = [texture.heights for _, texture in textures]
+    figure = relief_pictures.side_by_side(heights, titles, step, origin, exaggeration=1.5)
+    name = os.path.join(folder, "two-textures.png")
+    relief_pictures.save(figure, name)
+    said = "; ".join("%s, %s" % (what, texture.source) for what, texture in textures)
+    return {"beside": (name, "The same place of the same face. Left to right: %s." % said)}
+
+
 def _typical(simulated):
     """Place of the dimple in the window whose tilt is the median one, and that tilt in degrees."""
     plan = simulated.plan

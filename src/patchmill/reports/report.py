@@ -121,9 +121,10 @@ def _tip_inside(plan, tilts):
     return {"limit_degrees": limit, "count": int((tilts < limit).sum())}
 
 
-def write_report(posted, plan, gcode, folder, simulated=None):
+def write_report(posted, plan, gcode, folder, simulated=None, beside=()):
     """Writes report.json, report.html and the pictures into `folder`; returns their names. `simulated`: a
-    SimulatedTexture of the posted path (patchmill.simulate), or None."""
+    SimulatedTexture of the posted path (patchmill.simulate), or None. `beside`: textures of one window of the
+    face to be compared, pairs (what it is, SimulatedTexture)."""
     data = report_data(posted, plan, gcode, simulated)
     names = {
         "dimples": pictures.draw_dimples(plan, os.path.join(folder, "dimples.png")),
@@ -135,8 +136,7 @@ def write_report(posted, plan, gcode, folder, simulated=None):
         "path": "Tool tip over one patch and its links.",
         "phase": "Phase error at every dimple, from %s." % data["phase_error_degrees"]["source"],
     }
-    if simulated:
-        drawn = relief_report.draw(simulated, folder)
+    for drawn in _reliefs(simulated, beside, folder):
         names.update({k: name for k, (name, _) in drawn.items()})
         captions.update({k: caption for k, (_, caption) in drawn.items()})
     json_name = os.path.join(folder, "report.json")
@@ -146,6 +146,14 @@ def write_report(posted, plan, gcode, folder, simulated=None):
     page = _page(data, {k: os.path.basename(v) for k, v in names.items()}, captions, marks)
     files.write(html_name, page)
     return [json_name, html_name] + list(names.values())
+
+
+def _reliefs(simulated, beside, folder):
+    """Pictures as relief_report makes them, those side by side first."""
+    return [
+        *([relief_report.draw_beside(beside, folder)] if beside else []),
+        *([relief_report.draw(simulated, folder)] if simulated else []),
+    ]
 
 
 def _rows(data):
