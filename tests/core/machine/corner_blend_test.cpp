@@ -36,6 +36,24 @@ RC_GTEST_PROP(CornerBlend, ArcTouchesBothMovesAndStaysInTolerance, (unsigned a, 
             1e-9 * tolerance);
 }
 
+// A direction between the axes is faster than an axis, and so is a flat corner in the axes' plane: its velocity is that of
+// the chord between those of its sides. A straight of 4.04 periods at 100 mm/s is one of 3.99 there, and is swallowed, as
+// LinuxCNC's log of such a corner shows.
+TEST(CornerBlend, AFlatCornerIsAsFastAsItsSides) {
+  const double tilt = 0.16, angle = 0.00776;
+  const Vec3 before(std::cos(tilt), 0.0, std::sin(tilt)),
+      after(std::cos(tilt - angle), 0.0, std::sin(tilt - angle));
+  const double fast = 100.0 / std::cos(tilt - 0.5 * angle);
+  const auto corner = [&](double left) {
+    return corner_between({before, 0.5147, left}, {after, 0.5137, 0.5137}, 0.000106, machine());
+  };
+  const double trim = corner(0.5).trim;
+  EXPECT_NEAR(corner(0.5).planned, fast, 0.1);
+  EXPECT_GT(corner(0.5).planned, 101.0);
+  EXPECT_FALSE(corner(trim + 1.002 * 4e-3 * fast).swallows);
+  EXPECT_TRUE(corner(trim + 0.998 * 4e-3 * fast).swallows);
+}
+
 TEST(CornerBlend, TakesAtMostHalfOfANeighbour) {
   const Corner corner = corner_blend(0.4, 0.01, 10.0, 0.15, 2000.0);
   EXPECT_DOUBLE_EQ(corner.trim, 0.075);

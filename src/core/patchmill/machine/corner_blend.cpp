@@ -15,7 +15,8 @@ namespace {
 const double kNormalShare = std::sqrt(3.0) / 2.0;  // of the acceleration, on an arc
 constexpr double kStraight = 1e-9;                 // rad: no corner at all
 constexpr double kReversal = kPi * 178.0 / 180.0;  // rad: a corner as sharp as this is no kink
-constexpr double kKinkShare = 0.1;  // of the acceleration: what a kink may take of it
+constexpr double kKinkShare = 0.1;        // of the acceleration: what a kink may take of it
+constexpr double kSharpest = 0.49 * kPi;  // rad: sharper corners have this one's cosine
 constexpr double kSwallowPeriods =
     4.0;  // a straight that an arc's speed passes in fewer is left out
 
@@ -45,6 +46,19 @@ double kink_share(const CornerSide& before, const CornerSide& after, double spee
 // An axis' limit in the plane at right angles to `binormal`: the least reach of a box of that half side.
 double in_plane(double limit, const Vec3& binormal) {
   return limit / std::sqrt(1.0 - binormal.cwiseAbs2().minCoeff());
+}
+
+// The greatest speed round a corner: that of the box in the corner's plane, or, if that is more, along the chord between
+// the velocities on its two sides, each no greater than what the other one reaches in its direction.
+double greatest_round(const CornerSide& before, const CornerSide& after, double angle,
+                      const Vec3& binormal, const MotionModel& model) {
+  const double least_cosine = std::cos(kSharpest), cosine = std::max(std::cos(angle), least_cosine);
+  const double one = fastest(before, model), other = fastest(after, model);
+  const double v = std::min(one, other / cosine), w = std::min(other, one / cosine);
+  const Vec3 chord = v * before.direction - w * after.direction;
+  const double height =
+      v * w * std::sin(angle) / chord.norm();  // of the triangle of v and w over it
+  return std::max(height, in_plane(model.velocity, binormal));
 }
 
 double end_tolerance(const Move& move, const MotionModel& model) {
@@ -82,7 +96,7 @@ Corner chosen_arc(const CornerSide& before, const CornerSide& after, double angl
   Corner corner = corner_blend(angle, tolerance, before.length, after.length, acceleration);
   if (corner.stop) return corner;
   const double goal = std::min(std::max(fastest(before, model), fastest(after, model)),
-                               in_plane(model.velocity, binormal));
+                               greatest_round(before, after, angle, binormal, model));
   if (corner.speed <= goal) return corner;
   // the axes are slower than the arc: it is made as small as they need, or as a parabola would be
   const double half_tangent = std::tan(0.5 * angle), half = 0.5 * acceleration;

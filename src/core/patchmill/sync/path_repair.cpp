@@ -3,6 +3,7 @@
 #include "patchmill/sync/path_repair.h"
 
 #include "patchmill/geometry/angle.h"
+#include "patchmill/machine/corner_blend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@ constexpr double kLimit = 8.0 / 180.0;  // of a period: beyond it a dimple is re
 constexpr double kHopeless = 0.1;  // of all dimples: if more are beyond it, the machine is too slow
 constexpr std::size_t kSettles = 8;  // dimples after a turn-around that are its affair
 constexpr std::uint16_t kMostTeeth = 60;
+constexpr double kMatters = 1e-3;  // turns: a third of a degree
 
 // How far the spindle is from where each dimple wants it, within half a period, the mean taken away [periods].
 std::vector<double> errors(const ToolPath& path, const machine::Prediction& prediction,
@@ -36,10 +38,27 @@ std::vector<double> errors(const ToolPath& path, const machine::Prediction& pred
 
 }  // namespace
 
+bool PathRepair::end_rows_at_swallowed(const ToolPath& path, const machine::MotionModel& model) {
+  const std::vector<machine::Corner> corners = machine::corners(path, model);
+  const std::vector<double> pitches = machine::locked_pitches(path, corners);
+  bool more = false;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (path.moves[i].dimple == kNoDimple) continue;
+    ++k;  // the dimple after this one
+    if (!corners[i].swallows || k >= broken.size() || !(pitches[i] > 0.0)) continue;
+    const double straight = path.moves[i].turns * pitches[i];  // at most
+    if (std::abs(straight / pitches[i] - straight / pitches[i + 1]) < kMatters) continue;
+    more |= !broken[k];
+    broken[k] = true;
+  }
+  return more;
+}
+
 bool PathRepair::add(const ToolPath& path, const std::vector<std::size_t>& arrivals,
                      const machine::MotionModel& model, double period) {
   const machine::Prediction prediction = machine::predict(path, model);
-  if (!prediction.known) return false;
+  if (!prediction.known) return end_rows_at_swallowed(path, model);
   const std::vector<double> error = errors(path, prediction, period);
   const auto beyond =
       std::count_if(error.begin(), error.end(), [](double e) { return std::abs(e) > kLimit; });

@@ -23,6 +23,11 @@ struct PathRepair {
   /// where so many dimples are off that a slower spindle is what helps.
   bool add(const ToolPath& path, const std::vector<std::size_t>& arrivals,
            const machine::MotionModel& model, double period);
+
+ private:
+  /// A row ends on a dimple whose corner rounding would swallow the straight before it: whether there was one that
+  /// did not. Nobody knows the phase of such a path.
+  bool end_rows_at_swallowed(const ToolPath& path, const machine::MotionModel& model);
 };
 
 }  // namespace patchmill::sync

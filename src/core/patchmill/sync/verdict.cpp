@@ -119,12 +119,14 @@ struct Trial {
   }
 
   /// A speed that holds, below the spindle's own, which does not; 0 if none does [rev/s]. Near an axis' limit a lock
-  /// may hold at one speed, not at a slower one, and again at one slower still: from a speed that holds it goes up in
-  /// fine steps to the first that does not.
+  /// may hold at one speed, not at a slower one, and again at one slower still: from the lower of two neighbouring
+  /// speeds that hold it goes up in fine steps to the first that does not.
   double highest() const {
     double slow = spindle.speed * kCoarse;
-    while (slow > kSlowest * spindle.speed && !at(slow).holds) slow *= kCoarse;
-    if (slow <= kSlowest * spindle.speed) return 0.0;
+    for (int holding = at(slow).holds; holding < 2; holding = at(slow).holds ? holding + 1 : 0) {
+      slow *= kCoarse;
+      if (slow <= kSlowest * spindle.speed) return 0.0;
+    }
     double fast = slow * kFine;
     while (fast < spindle.speed && at(fast).holds) {
       slow = fast;
