@@ -123,7 +123,7 @@ def _read_back(ready, text, progress):
 
 
 def _to_check(posted):
-    """Those of which gouges and collisions are looked for: every copy of a texture, and milling of ours once."""
+    """Those that are checked for gouges: each copy of a texture, milling of ours once."""
     chosen: list = []
     milled: list = []
     for one in posted:

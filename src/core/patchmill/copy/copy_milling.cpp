@@ -16,6 +16,9 @@
 
 namespace patchmill::copy {
 
+// mm. Lines go a radius over the part's edges, so that the work grows with it without an end.
+constexpr double kLargestRadius = 1e4;
+
 void require_valid(const CopyOptions& o) {
   require_positive("tool radius", o.tool.radius, "mm");
   require_valid(o.tool);
