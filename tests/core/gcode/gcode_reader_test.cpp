@@ -184,6 +184,11 @@ TEST(ReadGcode, WordsOfArcsAreRefusedInStraightMoves) {
   EXPECT_NO_THROW(read_gcode(begin + "X3 Y1\n", kTool));
   for (const char* word : {"I1", "J1", "K1", "R1"})
     EXPECT_THROW(read_gcode(begin + word + " X3 Y1\n", kTool), InputError) << word;
+  EXPECT_NO_THROW(read_gcode(begin + "G0 G53 Z0\n", kTool));
+  EXPECT_THROW(read_gcode(begin + "G0 G53 Z0 J0\n", kTool), InputError);
+  const std::string locked = begin + "G33 X3 Y1 K0.5\n";
+  EXPECT_NO_THROW(read_gcode(locked + "X4 K0.5\n", kTool));
+  EXPECT_THROW(read_gcode(locked + "R33 X4 K0.5\n", kTool), InputError);  // of G33 that is in force
 }
 
 TEST(ReadGcode, ALeadOfAnotherAxisIsRefused) {

@@ -76,12 +76,17 @@ void Reader::move(const GcodeBlock& block) {
   straight(block, end, angles, was_known);
 }
 
+// I, J, K are of arcs, and of moves that follow the spindle; R is of arcs and cycles.
+void refuse_arc_words(const GcodeBlock& block, bool synchronised) {
+  const bool leads =
+      std::any_of(block.lead, block.lead + 3, [](double w) { return !std::isnan(w); });
+  if (!std::isnan(block.r) || (leads && !synchronised))
+    refuse_block(block, "I, J, K and R belong to no straight move.");
+}
+
 void Reader::straight(const GcodeBlock& block, const Vec3& end, const std::array<double, 3>& angles,
                       bool was_known) {
-  if (state_.motion != MotionMode::Synchronised &&
-      (!std::isnan(block.r) ||
-       !std::all_of(block.lead, block.lead + 3, [](double w) { return std::isnan(w); })))
-    refuse_block(block, "I, J, K and R belong to no straight move.");
+  refuse_arc_words(block, state_.motion == MotionMode::Synchronised);
   double turned = 0.0;
   for (std::size_t i = 0; i < 3; ++i) turned = std::hypot(turned, angles[i] - state_.angles[i]);
   const Vec3 way = end - state_.at;
@@ -193,6 +198,7 @@ void Reader::pole(const GcodeBlock& block) {
 
 // Where that is in the work, nobody knows: the axes that move are lost.
 void Reader::to_the_machine(const GcodeBlock& block) {
+  refuse_arc_words(block, false);
   const bool all = block.reference && !block.moves();
   if (block.machine && block.moves() && state_.motion != MotionMode::Rapid &&
       state_.motion != MotionMode::Feed)
