@@ -15,7 +15,7 @@ import numpy as np
 from patchmill.areal.dimples import FoundDimples, find_dimples
 from patchmill.areal.filters import without_form
 from patchmill.areal.registration import Registration, register
-from patchmill.operations.base import planned
+from patchmill.operations.computed import planned
 
 COVERAGE = 2.0  # standard deviations of the uncertainties that are given
 AMBIGUOUS = 0.98  # from this doubt on nothing that depends on the dimples' numbers is said

@@ -11,7 +11,7 @@ import os
 import re
 from typing import Any, Dict, List
 
-from patchmill.operations.base import planned
+from patchmill.operations.computed import planned
 from patchmill.reports import report as reports
 from patchmill.verify.posted_texture import PostedTexture
 

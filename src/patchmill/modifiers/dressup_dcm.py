@@ -14,7 +14,8 @@ from _patchmill import InputError
 from patchmill.freecad import absent_core, hooks, host, kinds, made_from
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from patchmill.modifiers import dcm
-from patchmill.operations.base import forget_dressups, not_computed
+from patchmill.operations.base import forget_dressups
+from patchmill.operations.computed import not_computed
 from patchmill.properties import property_table
 from patchmill.properties.check_properties import POST_GOUGING, gouge_tolerance
 from patchmill.voxels import removal_model

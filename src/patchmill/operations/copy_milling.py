@@ -17,7 +17,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import host, kinds
 from patchmill.operations.base import BallEndOperation, create, setup_properties
-from patchmill.operations.base import recompute  # noqa: F401  for macros: it returns the ToolPath
+from patchmill.operations.computed import recompute  # noqa: F401  for macros: it returns the ToolPath
 from patchmill.operations.copy_input import MODES, PASSES, UNDERCUTS, CopyInput, input_of
 from patchmill.path.read_text import path_of
 from patchmill.properties.check_properties import CHECK_PROPERTIES, gouge_tolerance

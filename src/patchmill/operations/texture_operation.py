@@ -18,7 +18,7 @@ from patchmill.freecad import host, kinds, made_from, tool_controller
 from patchmill.geometry import shapes
 from patchmill.operations import patch_comments
 from patchmill.operations.base import BallEndOperation
-from patchmill.operations.base import planned, recompute  # noqa: F401  for macros
+from patchmill.operations.computed import planned, recompute  # noqa: F401  for macros
 from patchmill.path.read_text import path_of
 from patchmill.properties.property_table import field_of
 from patchmill.properties.texture_properties import PROPERTIES

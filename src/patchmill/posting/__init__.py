@@ -16,7 +16,7 @@ from patchmill.system import files
 from patchmill.freecad import host, post_probe
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.machine import calibrated
-from patchmill.operations.base import planned
+from patchmill.operations.computed import planned
 from patchmill.operations.copy_input import UNDERCUTS
 from patchmill.posting import control_match, kept_words, program_header, rest_of_job
 from patchmill.posting.control_match import own_dialect

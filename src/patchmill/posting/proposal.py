@@ -15,7 +15,7 @@ import FreeCAD
 
 from patchmill.freecad import host, preferences
 from patchmill.freecad.kinds import TEXTURE, kind_of
-from patchmill.operations.base import planned
+from patchmill.operations.computed import planned
 from patchmill.posting import control_match
 from patchmill.posting.control_match import own_dialect
 from patchmill.textures import strategies

@@ -10,7 +10,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import host
 from patchmill.freecad.kinds import TEXTURE, kind_of
-from patchmill.operations.base import planned
+from patchmill.operations.computed import planned
 from patchmill.textures import strategies
 
 UNLOCKED = "the phase of what is milled now is not that of the patches before: nothing follows the spindle."

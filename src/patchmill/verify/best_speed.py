@@ -21,7 +21,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.operations.base import planned
+from patchmill.operations.computed import planned
 from patchmill.textures import strategies
 from patchmill.textures.order import rows
 from patchmill.textures.plan import PlannedTexture, plan_texture

@@ -20,7 +20,7 @@ from _patchmill import InputError
 from patchmill.freecad import host, tool_controller
 from patchmill.freecad.kinds import COPY_MILLING, DCM, TEXTURE, kind_of
 from patchmill.geometry import shapes
-from patchmill.operations.base import made, planned, recompute
+from patchmill.operations.computed import made, planned, recompute
 from patchmill.path import base_path
 from patchmill.collision.clearance_check import CLEAR, UNKNOWN, VIOLATED, CheckInput, run_check  # noqa: F401
 from patchmill.verify.posted_milling import posture_of, with_those_under

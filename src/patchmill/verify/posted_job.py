@@ -14,7 +14,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import host
 from patchmill.freecad.kinds import TEXTURE, kind_of
-from patchmill.operations.base import planned
+from patchmill.operations.computed import planned
 from patchmill.verify import posted_between, posted_milling, posted_texture
 from patchmill.verify.posted_program import COMMENT, PostedProgram, offset_number
 

@@ -18,7 +18,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.operations.base import planned
+from patchmill.operations.computed import planned
 from patchmill.textures.plan import PlannedTexture
 from patchmill.verify.simulated_motion import motion_of
 from patchmill.verify.simulated_texture import SimulatedTexture
