@@ -106,8 +106,8 @@ def create_job(name, models):
 
 
 def is_active(obj):
-    """Whether an operation, or the one under a dressup, is switched on."""
-    return PathUtil.opProperty(obj, "Active") is not False
+    """Whether an operation, and all that it is a dressup on, is switched on."""
+    return getattr(obj, "Active", True) and (not hasattr(obj, "Base") or is_active(obj.Base))
 
 
 def coolant_of(obj):

@@ -86,7 +86,7 @@ def input_of(obj):
 
 def _operation(obj):
     """The operation under one or more dressups."""
-    while not hasattr(obj, "ToolController") and getattr(obj, "Base", None) is not None:
+    while hasattr(getattr(obj, "Base", None), "Path"):
         obj = obj.Base
     if not hasattr(obj, "ToolController"):
         raise InputError("Base", obj.Label, "there is no operation with a tool controller below it.")

@@ -13,7 +13,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import absent_core, hooks, host, kinds, made_from
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
-from patchmill.modifiers import dcm
+from patchmill.modifiers import dcm, like_operation
 from patchmill.operations.base import forget_dressups
 from patchmill.operations.computed import not_computed
 from patchmill.properties import property_table
@@ -117,6 +117,7 @@ class DressupDCM:
         obj.Base = base
         property_table.add(obj, PROPERTIES, RESULTS)
         made_from.add(obj)
+        like_operation.add(obj)
 
     def dumps(self):
         return None
@@ -133,6 +134,7 @@ class DressupDCM:
     def onDocumentRestored(self, obj):
         property_table.add(obj, PROPERTIES, RESULTS)
         made_from.add(obj)
+        like_operation.add(obj)
         self._inputs = absent_core.inputs_of(obj, [row[1] for row in PROPERTIES] + ["Base"])
         hooks.announce_restored(obj)
 
@@ -158,6 +160,7 @@ class DressupDCM:
 
     def onChanged(self, obj, prop):
         absent_core.drop_path(obj, prop, self._inputs)
+        like_operation.pass_on(obj, prop)
 
     def execute(self, obj):
         if absent_core.keeps_path(obj):
@@ -167,6 +170,7 @@ class DressupDCM:
         try:
             if not obj.Base:
                 raise InputError("Base", "none", "the operation under it is gone: delete the dressup.")
+            like_operation.follow(obj)
             if not host.is_active(obj):
                 obj.Path = host.Path.Path("(inactive operation)")
                 return

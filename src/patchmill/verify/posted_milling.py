@@ -157,7 +157,7 @@ def _told_by_reading(commands):
         if re.fullmatch(r"G\d+(\.\d)?", command.Name) and command.Name not in NOT_READ:
             words = [(k, 60.0 * v if k == "F" else v) for k, v in command.Parameters.items()]
             if command.Name in ARCS:  # FreeCAD gives three words for a centre, two of them in the plane
-                words = [(k, v) for k, v in words if k not in "IJK" or v != 0.0]
+                words = [(k, v) for k, v in words if k not in "IJK" or round(v, 6) != 0.0]
             lines.append(command.Name + "".join(" %s%.6f" % word for word in words))
             kinds.append(command.Name)
     program = PostedProgram("\n".join(lines) + "\n", "linuxcnc")
