@@ -92,7 +92,7 @@ class NativeDressups(WithDocuments):
         _, job = make_job(pocket_part())
         profile = add_profile(job)
         modifier = dress(profile, VoxelSize=2.0)
-        for name in ("Active", "ToolController"):
+        for name in ("Active", "ToolController", "CycleTime"):
             modifier.removeProperty(name)
         modifier.Proxy.onDocumentRestored(modifier)
         self.assertEqual((profile.Active, modifier.Active), (True, True))

@@ -86,7 +86,7 @@ class PostDialog(QtGui.QDialog):
         return "\n".join(said) or translate("no texture")
 
     def _time(self):
-        seconds = [plan.path.statistics()["timed_seconds"] for plan in self.proposed.plans]
+        seconds = [plan.seconds for plan in self.proposed.plans]
         return translate("{} for textures").format(duration(sum(seconds))) if seconds else "-"
 
     def _file_row(self):

@@ -53,7 +53,7 @@ def planned_summary(planned):
     lines = [
         placed_summary(planned),
         translate("{} of milling, {:.2f} turns per dimple").format(
-            duration(statistics["timed_seconds"]), turns
+            duration(planned.seconds), turns
         ),
     ]
     if planned.pacing.verdict is not None:

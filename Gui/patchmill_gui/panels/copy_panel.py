@@ -71,7 +71,7 @@ class CopyPanel(Computing, OperationPanel):
 
 def _summary(made):
     """What there is to say of a CopiedPath."""
-    seconds = made.path.statistics()["timed_seconds"]
+    seconds = made.seconds
     ridge = core.scallop_height(made.path.tool.radius, made.asked.last_radial)
     text = translate("{} moves, {} of milling, ridges of {} on a flat").format(
         grouped(len(made.path)), duration(seconds), FreeCAD.Units.Quantity(ridge, "mm").UserString

@@ -107,7 +107,7 @@ class Advising(QtCore.QObject):
     def _assessed(self, found):
         if found is None or self._planned is None:
             return
-        seconds = self._planned.path.statistics()["timed_seconds"]
+        seconds = self._planned.seconds
         self.head.show_found(found, seconds, self._planned.pacing.verdict, self.notes)
         if not found.good:
             self._look_for_help()

@@ -101,7 +101,7 @@ def _facts(part: Dict[str, Any]) -> Iterator[Tuple[str, str]]:
         yield "Reason", part["reason"]
         return
     yield "Dimples", "{:,}".format(part["dimples"])
-    yield "Time without rapids", "%d min %02d s" % divmod(round(part["program_seconds"]), 60)
+    yield "Time", "%d min %02d s" % divmod(round(part["program_seconds"]), 60)
     for texture in part["textures"]:
         if texture["left_out"]:
             left = ", ".join("%s: %d" % item for item in sorted(texture["left_out"].items()))

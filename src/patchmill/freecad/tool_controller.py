@@ -100,6 +100,11 @@ def _corner_radius(bit, radius):
     return radius - flat
 
 
+def rapids(controller):
+    """Its rapids across, and up or down [mm/s]."""
+    return controller.HorizRapid.Value, controller.VertRapid.Value
+
+
 def flutes(bit):
     """How many a tool bit has; 1 if it does not say, for work that does not depend on them."""
     return max(1, int(getattr(bit, "Flutes", 1)))

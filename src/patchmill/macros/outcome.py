@@ -53,7 +53,7 @@ def figures(one: Any) -> Dict[str, Any]:
         "faces": sorted(name for _, names in one.operation.Base for name in names),
         "dimples": int(plan.counts["cut"]),
         "left_out": {k: int(n) for k, n in plan.counts.items() if n and k != "cut"},
-        "seconds": round(float(one.path.statistics()["timed_seconds"]), 3),
+        "seconds": round(plan.seconds, 3),
         "verdict": verdict.sentence if verdict else "Unknown: no machine is named.",
         "phase_error_max_degrees": round(math.degrees(float(one.errors["largest"])), 4),
         "phase_error_rms_degrees": round(math.degrees(float(one.errors["rms"])), 4),

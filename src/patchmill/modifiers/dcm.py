@@ -3,6 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import functools
 import math
 from dataclasses import dataclass
 
@@ -11,6 +12,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.freecad import host, tool_controller
+from patchmill.machine import machines, machining_time
 from patchmill.modifiers.dcm_input import DcmInput, input_of  # noqa: F401  input_of for macros
 from patchmill.path import base_path, tilted_path
 
@@ -28,13 +30,18 @@ class Result:
     not_clear: int
     asked: DcmInput
 
-    @property
+    @functools.cached_property
     def seconds(self):
-        return self.path.statistics()["timed_seconds"]
+        """Time of all its moves [s]: see machining_time."""
+        return self._seconds(self.path)
 
-    @property
+    @functools.cached_property
     def base_seconds(self):
-        return self.base.statistics()["timed_seconds"]
+        return self._seconds(self.base)
+
+    def _seconds(self, path):
+        machine = machines.load(self.asked.machine) if self.asked.machine else None
+        return machining_time.seconds(path, self.asked.rapids, machine)
 
     @property
     def axis_step_degrees(self):

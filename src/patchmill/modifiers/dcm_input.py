@@ -42,6 +42,7 @@ class DcmInput:
     holder: list = field(default_factory=list)
     clearance: float = 1.0
     machine: str = ""
+    rapids: tuple = (0.0, 0.0)  # of the tool controller, across and up or down
     transient: tuple = ()  # time [s], step [s], diffusivity [mm^2/s], sub-steps; empty: steady
 
 
@@ -79,6 +80,7 @@ def input_of(obj):
         holder=holder,
         clearance=obj.HolderClearance.Value,
         machine=obj.Machine,
+        rapids=tool_controller.rapids(operation.ToolController),
         transient=_transient(obj),
         **limits,
     )

@@ -89,7 +89,7 @@ PROPERTIES = [
 ]
 RESULTS = [
     ("App::PropertyInteger", "Moves", "Result", "Timed moves"),
-    ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves but rapids, in seconds"),
+    ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves, rapids too, in seconds"),
     ("App::PropertyFloat", "BaseTime", "Result", "The base operation's, in seconds"),
     ("App::PropertyFloat", "LargestFeedStep", "Result", "Between moves that go straight on, in mm/min"),
     ("App::PropertyFloat", "LargestAxisStep", "Result", "Within a move, in degrees"),
@@ -185,6 +185,7 @@ class DressupDCM:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (obj.Label, self.model.not_saved))
         obj.Path = host.Path.Path(self.result.commands)
         show_results(obj, self.model, self.result)
+        like_operation.tell_cycle_time(obj, self.result.seconds)
 
     def _ready_or_made(self, obj, given):
         ready, self.ready = self.ready, None

@@ -1,14 +1,17 @@
 """What FreeCAD asks of the object that a dressup of its own is put on, be it an operation or a modifier: its
-tool controller (LeadInOut) and whether it is switched on (RampEntry). A modifier has both from what it is on.
+tool controller (LeadInOut) and whether it is switched on (RampEntry). A modifier has both from what it is on;
+its time, which FreeCAD adds up for the job, is its own.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from patchmill.freecad import host
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
+from patchmill.machine import machining_time
 
 PROPERTIES = [
     ("App::PropertyLink", "ToolController", "Tool controller of the operation that is modified"),
+    ("App::PropertyString", "CycleTime", "Time that FreeCAD counts for the job"),
     ("App::PropertyBool", "Active", "Whether the operation that is modified is switched on"),
 ]
 HIDDEN = 2  # FreeCAD's editor mode
@@ -31,6 +34,14 @@ def follow(obj):
     for name, value in wanted.items():
         if getattr(obj, name) != value:
             setattr(obj, name, value)
+
+
+def tell_cycle_time(obj, seconds):
+    """Has FreeCAD count a time [s] for the job in the place of the time of what is modified."""
+    obj.CycleTime = machining_time.clock(seconds)
+    job = host.PathUtils.findParentJob(obj)
+    if job is not None:
+        job.Proxy.getCycleTime()
 
 
 def pass_on(obj, name):

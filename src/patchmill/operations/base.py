@@ -7,6 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 from _patchmill import InputError
 
 from patchmill.freecad import absent_core, hooks, host, made_from, tool_controller
+from patchmill.machine import machining_time
 from patchmill.operations.computed import made, planned, recompute  # noqa: F401  for macros
 from patchmill.properties import property_table
 
@@ -67,11 +68,19 @@ class BallEndOperation(host.PathOp.ObjectOp):
             if obj.Active:
                 made_from.job_of(obj)
                 tool_controller.require_tool(obj.ToolController)
-            return super().execute(obj)
+            result = super().execute(obj)
+            self._tell_cycle_time(obj)
+            return result
         except InputError as error:
             self.error = error
             forget_dressups(obj)
             raise
+
+    def _tell_cycle_time(self, obj):
+        """FreeCAD's own estimate knows neither inverse time nor the spindle's lock: the time is ours."""
+        if getattr(self, self.RESULT) is not None:
+            obj.CycleTime = machining_time.clock(obj.MachiningTime)
+            self.job.Proxy.getCycleTime()
 
     def refresh_heights(self, obj):
         """The heights as a recompute would leave them: before the first one FreeCAD's expressions for them

@@ -39,6 +39,7 @@ class CopyInput:
     model: str
     faces: str  # '' for the whole model
     face_count: int = 0
+    rapids: tuple = (0.0, 0.0)  # across, and up or down
 
     @property
     def chosen(self):
@@ -77,6 +78,7 @@ def input_of(obj):
         model=model,
         faces=_compound(faces) if faces else "",
         face_count=len(faces),
+        rapids=tool_controller.rapids(obj.ToolController),
     )
 
 

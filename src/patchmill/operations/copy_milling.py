@@ -16,6 +16,7 @@ import FreeCAD
 from _patchmill import InputError
 
 from patchmill.freecad import host, kinds
+from patchmill.machine import machining_time
 from patchmill.operations.base import BallEndOperation, create, setup_properties
 from patchmill.operations.computed import recompute  # noqa: F401  for macros: it returns the ToolPath
 from patchmill.operations.copy_input import MODES, PASSES, UNDERCUTS, CopyInput, input_of
@@ -39,7 +40,7 @@ PROPERTIES = [
 ]
 RESULTS = [
     ("App::PropertyInteger", "Moves", "Result", "Of the path"),
-    ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves but rapids, in seconds"),
+    ("App::PropertyFloat", "MachiningTime", "Result", "Time of all moves, rapids too, in seconds"),
     ("App::PropertyFloat", "Scallop", "Result", "Ridge between lines on a flat, in mm"),
     ("App::PropertyInteger", "OutOfReach", "Result", "Lines left out: in a cavity, not reached from above"),
 ]
@@ -74,9 +75,8 @@ class ObjectCopyMilling(BallEndOperation):
             FreeCAD.Console.PrintWarning("%s: %s\n" % (obj.Label, remark))
         text = str(core.freecad_text(self.path, None, 4))
         self.commandlist.extend(host.begin_upright(path_of(text).Commands))
-        statistics = self.path.statistics()
         obj.Moves = len(self.path)
-        obj.MachiningTime = statistics["timed_seconds"]
+        obj.MachiningTime = made.seconds
         obj.OutOfReach = made.out_of_reach
         obj.Scallop = given.tool.scallop_height(given.last_radial)
 
@@ -89,6 +89,11 @@ class CopiedPath:
     path: core.ToolPath
     out_of_reach: int
     asked: CopyInput
+
+    @property
+    def seconds(self):
+        """Time of all its moves [s], by the feeds and the tool controller's rapids."""
+        return machining_time.seconds(self.path, self.asked.rapids)
 
 
 def remarks(made, tilted=False):

@@ -115,6 +115,7 @@ class ObjectTexture(BallEndOperation):
             tool=tool,
             spindle=core.Spindle(speed / 60.0, tool_controller.sense(controller)),
             feed=controller.HorizFeed.Value,
+            rapids=tool_controller.rapids(controller),
             heights_follow=_heights_follow(obj),
             surface=self.patch_surface(obj),
             origin=None if obj.AutoOrigin else tuple(obj.Origin),

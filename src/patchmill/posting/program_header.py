@@ -4,7 +4,7 @@ machine, strategy, turns per dimple, time, where the phase is counted from.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from patchmill.machine import machines
+from patchmill.machine import machines, machining_time
 
 
 def textures(objects):
@@ -39,7 +39,6 @@ def _texture(op):
     given, statistics = plan.input, plan.path.statistics()
     spindle = given.spindle
     machine = plan.machine
-    seconds = statistics["timed_seconds"]
     turns = statistics["cut_turns"] / max(1, statistics["dimples"])
     yield "Part: %s" % op.Document.Label
     yield "Texture: %s, %d dimples" % (op.Label, statistics["dimples"])
@@ -52,7 +51,7 @@ def _texture(op):
         spindle.sense,
     )
     yield "Strategy: %s, %.2f spindle turns per dimple" % (given.strategy, turns)
-    yield "Time without rapids: %d min %02d s" % divmod(round(seconds), 60)
+    yield "Time: %s" % machining_time.in_words(plan.seconds)
     start = machine.data["start_phase_degrees"] if machine else 0.0
     yield "Phase zero: flute 1 towards X+ at the spindle's index, start phase %.2f degrees" % start
     yield "Operator: work zero as in the model, feed override 100 %, spindle override 100 %"

@@ -13,6 +13,7 @@ import os
 import _patchmill as core
 import numpy as np
 
+from patchmill.machine import machining_time
 from patchmill.system import files
 from patchmill.reports import pictures, relief_report
 
@@ -39,7 +40,7 @@ def report_data(posted, plan, gcode, simulated=None):
         "tool": {"ball_diameter_mm": 2 * given.tool.radius, "flutes": given.tool.flutes},
         "spindle": {"rpm": round(60 * given.spindle.speed, 6), "sense": given.spindle.sense},
         "feed_mm_min": round(60 * plan.feed, 6),
-        "time_s": statistics["timed_seconds"],
+        "time_s": plan.seconds,
         "turns_per_dimple": _turns_per_dimple(plan, posted.path),
         "lengths_mm": {k: statistics[k + "_length_mm"] for k in ("cut", "link", "rapid")},
         "tilt_degrees": {"least": float(tilts.min()), "greatest": float(tilts.max())},
@@ -176,7 +177,7 @@ def _rows(data):
             tip["count"], tip["limit_degrees"]
         ),
     )
-    yield "Time without rapids", "%d min %02d s" % divmod(round(data["time_s"]), 60)
+    yield "Time", machining_time.in_words(data["time_s"])
     if turns:
         yield (
             "Spindle turns per dimple",

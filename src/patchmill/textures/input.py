@@ -78,6 +78,9 @@ class TextureInput:
     feed_per_tooth: float = 0.0
     plane_fit: str = "Best fit"
     first_patch: int = field(default=1, kw_only=True)  # of those in milling order, from 1
+    last_patch: int = field(default=0, kw_only=True)  # 0: to the end
+    patch_stops: bool = field(default=False, kw_only=True)  # M1 before each
+    rapids: tuple = field(default=(0.0, 0.0), kw_only=True)  # across, and up or down [mm/s]
     patch_comments: bool = field(default=False, kw_only=True)
     calibrating: bool = False  # the machine's start phase is being looked for, not applied
 

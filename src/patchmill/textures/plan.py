@@ -5,6 +5,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import functools
 from dataclasses import dataclass, field, replace
 from typing import Callable, Optional
 from math import degrees, radians
@@ -13,7 +14,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.machine import machines
+from patchmill.machine import machines, machining_time
 from patchmill.textures import division, free_form, heights, laid, masks, strategies, tool_posture
 from patchmill.textures.division import divide, require_apart, sampler_on, texture_size
 from patchmill.textures.input import TextureInput
@@ -102,6 +103,14 @@ class PlannedTexture(PlacedTexture):
     def posture(self):
         """The tool_posture.Posture, or None for a tool that stands upright."""
         return self.pacing.posture
+
+    @functools.cached_property
+    def seconds(self):
+        """Time of all its moves, rapids and turns of the table too [s]: see machining_time."""
+        if self.posture is None:
+            return machining_time.seconds(self.path, self.input.rapids, self.machine)
+        told = self.posture.told
+        return machining_time.seconds(told.path, self.input.rapids, self.machine, np.array(told.joints))
 
     @property
     def feed(self):
