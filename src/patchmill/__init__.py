@@ -43,6 +43,7 @@ _LAZY = {
     "recompute": ("patchmill.operations.texture_operation", "recompute"),
     "best_speed": ("patchmill.verify.best_speed", "best_speed"),
     "post": ("patchmill.posting", "post"),
+    "post_files": ("patchmill.posting.several_files", "post_files"),
     "read_back": ("patchmill.posting", "read_back"),
     "resume": ("patchmill.posting", "resume"),
     "simulate": ("patchmill.verify.simulation", "simulate"),

@@ -145,6 +145,7 @@ call("in_rows", dimples=t.dimples, pattern=t.pattern, direction=0, one_way=False
 call("row_directions", pattern=t.pattern)
 call("milled_patches", dimples=t.dimples)
 call("from_patch", lambda first: core.from_patch(t.dimples, first), first=1)
+call("up_to_patch", lambda last: core.up_to_patch(t.dimples, last), last=1)
 call("nearest_row_direction", pattern=t.pattern, direction=(1.0, 0.0))
 call("flattest_row_direction", dimples=t.dimples, pattern=t.pattern)
 

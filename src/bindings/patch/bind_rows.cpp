@@ -14,6 +14,9 @@ void bind_rows(py::module_& m) {
   m.def("from_patch", interruptible(&patch::from_patch), py::arg("dimples"), py::arg("first"),
         "The dimples from patch `first` (1: all) in milling order on. Raises InputError naming "
         "FirstPatch.");
+  m.def("up_to_patch", interruptible(&patch::up_to_patch), py::arg("dimples"), py::arg("last"),
+        "The dimples up to the last one of patch `last` in milling order. Raises InputError naming "
+        "LastPatch.");
   m.def("in_rows",
         interruptible([](const patch::Dimples& dimples, const patch::PatchPattern& pattern,
                          std::size_t direction, bool one_way, bool whole_face) {

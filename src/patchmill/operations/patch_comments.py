@@ -1,26 +1,36 @@
-"""Comments in a texture's path that number its patches, so that a program that was stopped can go on.
+"""Comments in a texture's path that number its patches, so that a program that was stopped can go on, and
+optional stops before them.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import numpy as np
+from _patchmill import InputError
 
 from patchmill.freecad import host
+from patchmill.textures import strategies
 
 MOVES = ("G0", "G1", "G33")
 
 
 def numbered(plan, commands):
-    """`commands`, a PlannedTexture's as Path.Command, with a comment before the first move of each patch:
-    where the tool leaves the patch before, or at the beginning."""
+    """`commands`, a PlannedTexture's as Path.Command, with a comment before the first move of each patch,
+    where the tool leaves the patch before, or at the beginning; with PatchStops an M1 before those that are
+    not the first. Raises InputError naming PatchStops for a path that follows the spindle."""
+    if plan.input.patch_stops and strategies.of(plan.input.strategy).locked:
+        remedy = "a stop would end the spindle's lock: post each patch as a file of its own (patches=1)."
+        raise InputError("PatchStops", "true", remedy)
     moves = [None, *_moving(plan)]  # the first command goes to the path's start
     begins = _first_moves(plan, moves[1:])
     out, count = [], 0
     for command in commands:
         if command.Name in MOVES:
             if count < len(moves) and moves[count] in begins:
-                number = begins[moves[count]], plan.patches
-                out.append(host.Path.Command("(Patch %d of %d)" % number))
+                if plan.input.patch_stops and count:
+                    out.append(host.Path.Command("M1"))
+                if plan.input.patch_comments:
+                    number = begins[moves[count]], plan.patches
+                    out.append(host.Path.Command("(Patch %d of %d)" % number))
             count += 1
         out.append(command)
     if count != len(moves):

@@ -50,7 +50,7 @@ def prepare(given, progress=None):
         if progress and not progress(0.8 + 0.2 * number / len(text)):
             return None
         commands.extend(path_of(text[number]).Commands)
-    if plan.input.patch_comments:
+    if plan.input.patch_comments or plan.input.patch_stops:
         commands = patch_comments.numbered(plan, commands)
     return ReadyTexture(plan, commands if plan.posture else host.begin_upright(commands))
 

@@ -37,14 +37,27 @@ def post(job, filename, post_name=None, arguments=None, progress=None):
     Raises InputError, leaving no file and an existing one untouched, if an operation is invalid, if the text
     does not hold the plan, or if the tool would gouge or collide (docs/checks.md)."""
     files.require_place(filename)  # before the work, not after it
+    made = text_of(job, post_name, arguments, progress=progress)
+    if made is None:
+        return None
+    text, posted = made
+    write(filename, text)
+    return posted
+
+
+def text_of(job, post_name=None, arguments=None, most=0.0, progress=None):
+    """(the program of a job, what post() returns). Where it has more than `most` characters (0: any number),
+    it is not read back, and the second is None. None if `progress` returned False. Raises InputError as
+    post() does."""
+    progress = progress or (lambda share: True)
     ready = _ready(job, post_name, arguments)
     if not progress(0.1):
         return None
     text = _single_text(job, ready.post_name, ready.arguments)
+    if most and len(text) > most:
+        return text, None
     posted = _read_back(ready, text, progress) if progress(0.3) else None
-    if posted is not None:
-        _write(filename, text)
-    return posted
+    return None if posted is None else (text, posted)
 
 
 def read_back(job, filename, post_name=None, arguments=None):
@@ -268,15 +281,20 @@ def _single_text(job, post_name, arguments):
         remedy = "it failed (%s: %s): use another post-processor." % (type(error).__name__, error)
         raise InputError("PostProcessor", post_name, remedy) from error
     if len(parts) != 1:
-        raise InputError(
-            "OrderOutputBy", job.OrderOutputBy, "the job makes %d files; one is posted here." % len(parts)
-        )
+        remedy = "the job makes %d files: post them with post_files()." % len(parts)
+        raise InputError("OrderOutputBy", job.OrderOutputBy, remedy)
     if not parts[0].strip():
         raise InputError("PostProcessor", post_name, "the post-processor wrote nothing.")
     return parts[0]
 
 
-def _write(filename, text):
+def tool_of(op):
+    """Number of the tool of an operation or dressup; 0 if it has none."""
+    controller = posted_job.controller_of(op)
+    return 0 if controller is None else controller.ToolNumber
+
+
+def write(filename, text):
     """Writes the program: the old file or the new one is there, whole."""
     try:
         files.write(filename, text.encode("ascii"))

@@ -44,6 +44,8 @@ def _texture(op):
     yield "Texture: %s, %d dimples" % (op.Label, statistics["dimples"])
     if given.first_patch > 1:
         yield "Begins with patch %d of %d" % (given.first_patch, plan.patches)
+    if given.last_patch not in (0, plan.patches):
+        yield "Ends with patch %d of %d" % (given.last_patch, plan.patches)
     yield "Tool: ball end mill D%g, %d flutes, S%g %s" % (
         2.0 * given.tool.radius,
         given.tool.flutes,

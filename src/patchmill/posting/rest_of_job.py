@@ -1,4 +1,5 @@
-"""Going on with a job that was stopped: what is left of it from a patch of one of its textures on.
+"""Parts of a job as programs of their own: what is left of one that was stopped, from a patch of one of its
+textures on, and any other.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -32,8 +33,12 @@ def left(job, patch, operation=None, offset=None):
         raise InputError("Fixtures", offset, "the job has %s." % ", ".join(job.Fixtures))
     if patch > 1 and planned(texture).input.strategy != strategies.LOCKED:
         FreeCAD.Console.PrintWarning("%s: %s\n" % (texture.Label, UNLOCKED))
-    with _as_left(job, texture, patch, offset):
-        yield
+    group = list(job.Operations.Group)
+    try:
+        with part(job, group[group.index(texture) :], [offset], {texture: (patch, texture.LastPatch)}):
+            yield
+    finally:
+        job.Document.recompute()
 
 
 def _only(job):
@@ -50,22 +55,25 @@ def _only_offset(job):
 
 
 @contextlib.contextmanager
-def _as_left(job, texture, patch, offset):
-    """The job as it is to be posted, and then as it was."""
-    group = list(job.Operations.Group)
-    before = group[: group.index(texture)]
-    first, fixtures = texture.FirstPatch, list(job.Fixtures)
-    switched = [op for op in map(_switch_of, before) if op is not None and op.Active]
+def part(job, operations, offsets, patches):
+    """The job as if it had these operations and work offsets alone, and of textures the patches from first to
+    last; then as it was, but not yet recomputed. `patches`: {texture: (first, last)}."""
+    fixtures, ranges = list(job.Fixtures), [(op, op.FirstPatch, op.LastPatch) for op in patches]
+    others = [_switch_of(op) for op in job.Operations.Group if op not in operations]
+    switched = [op for op in others if op is not None and op.Active]
     try:
-        texture.FirstPatch, job.Fixtures = patch, [offset]
+        job.Fixtures = offsets
+        for op, (first, last) in patches.items():
+            op.FirstPatch, op.LastPatch = first, last
         for op in switched:
             op.Active = False
         yield
     finally:
-        texture.FirstPatch, job.Fixtures = first, fixtures
+        job.Fixtures = fixtures
+        for op, first, last in ranges:
+            op.FirstPatch, op.LastPatch = first, last
         for op in switched:
             op.Active = True
-        job.Document.recompute()
 
 
 def _switch_of(op):

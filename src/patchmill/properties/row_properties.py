@@ -44,6 +44,20 @@ ROW_PROPERTIES = [
         1,
     ),
     (
+        "App::PropertyInteger",
+        "LastPatch",
+        "Texture",
+        "Number of the patch, in milling order, with which the program ends; 0: with the last one",
+        0,
+    ),
+    (
+        "App::PropertyBool",
+        "PatchStops",
+        "Texture",
+        "Stop before each patch if the operator has switched optional stops on (M1)",
+        False,
+    ),
+    (
         "App::PropertyBool",
         "PatchComments",
         "Texture",

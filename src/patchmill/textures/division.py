@@ -216,3 +216,30 @@ def lattice_start(given, sampler, low, high):
             "a texture on the surface begins there, and no face can be cut there: move it.",
         )
     return origin
+
+
+REMEDIES = {
+    "off the face": "choose other faces, or move the texture's origin",
+    "too steep": "raise SteepestSlope, or project from another Direction",
+    "tool tip": "incline the part or lean the tool, for the tip of a ball does not cut",
+    "undercut": "project from another Direction, or lean the tool towards the face",
+    "near an edge": "lower Margin",
+    "sliver": "lower MinimumDimples, or choose smaller patches",
+    "masked": "change the mask",
+    "no facet": "project from another Direction, or choose smaller patches",
+    "off the net": "choose the projected mapping, or divide the faces",
+    "crowded": "choose a smaller spacing, or fewer faces",
+}
+
+
+def require_some(counts):
+    """Raises InputError naming Dimples if none is to be cut, of their counts by state."""
+    if counts["cut"]:
+        return
+    reasons = sorted((n, name) for name, n in counts.items() if n)[::-1]
+    raise InputError(
+        "Dimples",
+        "0",
+        "every lattice point was left out (%s): %s."
+        % (", ".join("%s: %d" % (name, n) for n, name in reasons), REMEDIES[reasons[0][1]]),
+    )

@@ -232,33 +232,6 @@ def _keep_off_tip(placed):
     core.mark_tool_tip(dimples, VERTICAL, least)
 
 
-# What helps if nothing is left to mill, by the reason that most dimples were left out for.
-_REMEDIES = {
-    "off the face": "choose other faces, or move the texture's origin",
-    "too steep": "raise SteepestSlope, or project from another Direction",
-    "tool tip": "incline the part or lean the tool, for the tip of a ball does not cut",
-    "undercut": "project from another Direction, or lean the tool towards the face",
-    "near an edge": "lower Margin",
-    "sliver": "lower MinimumDimples, or choose smaller patches",
-    "masked": "change the mask",
-    "no facet": "project from another Direction, or choose smaller patches",
-    "off the net": "choose the projected mapping, or divide the faces",
-    "crowded": "choose a smaller spacing, or fewer faces",
-}
-
-
-def _require_some(counts):
-    if counts["cut"]:
-        return
-    reasons = sorted((n, name) for name, n in counts.items() if n)[::-1]
-    raise InputError(
-        "Dimples",
-        "0",
-        "every lattice point was left out (%s): %s."
-        % (", ".join("%s: %d" % (name, n) for n, name in reasons), _REMEDIES[reasons[0][1]]),
-    )
-
-
 @stoppable
 def plan_texture(given, progress=None):
     """PlannedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
@@ -274,21 +247,22 @@ def plan_texture(given, progress=None):
         for direction in rows.candidates(placed.input, placed.division)
     ]
     best = min(tried, key=lambda plan: plan.path.statistics()["timed_seconds"])
-    if placed.input.first_patch == 1:
+    if placed.input.first_patch == 1 and placed.input.last_patch == 0:
         return best
     return _paced(placed, best.direction, machine, best)
 
 
 def _paced(placed, direction, machine, whole=None):
     """PlannedTexture of a PlacedTexture. `direction`: see rows.ordered. `whole`: the PlannedTexture whose
-    patches from FirstPatch on are to be milled, in its phase. Raises InputError."""
+    patches from FirstPatch to LastPatch are to be milled, in its phase. Raises InputError."""
     _put_in_order(placed, direction)
     placed.direction, placed.patches = direction, len(core.milled_patches(placed.dimples))
+    before = 0
     if whole is not None:
-        placed.dimples = rows.from_patch(placed)
+        placed.dimples, before = rows.chosen_patches(placed)
     given, dimples = placed.input, placed.dimples
     counts = dict(dimples.counts())
-    _require_some(counts)
+    division.require_some(counts)
     if placed.free is not None:
         rule = core.PhaseRule(False, 0.0, 0.0)
         pacing = heights.plan_above(
@@ -307,6 +281,6 @@ def _paced(placed, direction, machine, whole=None):
             given,
             dimples,
             placed.remarks,
-            lambda g: strategies.make(g, dimples, rule, machine, posture=posture, whole=whole),
+            lambda g: strategies.make(g, dimples, rule, machine, posture=posture, whole=whole, before=before),
         )
     return PlannedTexture(**vars(placed), rule=rule, pacing=pacing, machine=machine, counts=counts)

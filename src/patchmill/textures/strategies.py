@@ -29,10 +29,11 @@ class Pacing:
     posture: object = None  # tool_posture.Posture where rotary axes are used
 
 
-def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None):
+def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None, before=0):
     """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None, `posture` a
     tool_posture.Posture or None; `path_of`, if given, makes the ToolPath of a Spindle instead of the
-    strategy; `whole` is a plan whose last dimples these are: a locked path gets its phase.
+    strategy; `whole` is a plan of which these are some dimples, `before` of it come before them: a locked
+    path gets its phase.
     Raises InputError naming Strategy, Machine or what the core names."""
     strategy = of(given.strategy)
     strategy.require(machine)
@@ -56,7 +57,7 @@ def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None):
         period = core.phase_period(given.tool.flutes, rule)
         start = 0.0 if given.calibrating else machine.start_phase % period
         if whole is not None and strategy.locked:
-            start = _phase_behind(path, whole.path) % period
+            start = _phase_behind(path, whole.path, before) % period
         if start:
             path = core.with_start_phase(path, start, period, given.decimals)
     if posture is not None:
@@ -65,11 +66,11 @@ def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None):
     return Pacing(path, strategy.text(given, path, feed, machine), feed, verdict, clearance)
 
 
-def _phase_behind(path, whole):
-    """By how much [rad] the spindle has turned more when `path`, whose dimples are the last ones of `whole`,
-    comes to its first one than when `whole` comes there, each counted from where its lock begins."""
+def _phase_behind(path, whole, before):
+    """By how much [rad] the spindle has turned more when `path` comes to its first dimple than when `whole`
+    comes there, after `before` others, each counted from where its lock begins."""
     turned = []
-    for one, number in ((path, 0), (whole, -np.count_nonzero(path.dimples != core.NO_DIMPLE))):
+    for one, number in ((path, 0), (whole, before)):
         turns = np.cumsum(np.where(one.kinds != core.MoveKind.RAPID, one.turns, 0.0))
         turned.append(turns[one.dimples != core.NO_DIMPLE][number])
     return 2.0 * np.pi * (turned[0] - turned[1])

@@ -21,6 +21,7 @@ from patchmill.verify.posted_program import COMMENT, PostedProgram, offset_numbe
 OTHER_WORDS = r"M(?!0?[26]$|30$)\d+|G(4|04|10|28|30|43|53|92)(\.\d)?"  # that belong to an operation alone
 ALWAYS = (0, 1, 2, 3, 4, 17, 43.4, 49, 61, 64, 80, 90, 90.1, 91.1, 93, 94, 98, 99)  # of common tongue
 CUTS = ("G1", "G01", "G2", "G02", "G3", "G03", "G33")
+HALF_ROUNDING = 0.51e-6  # mm: P of G64 has six decimals
 BESIDE = "STHDE"  # letters that no move has
 COOLANT = {"Flood": "M8", "Mist": "M7"}
 
@@ -80,7 +81,7 @@ class _Reading:
         every = [o for o in objects if is_operation(o)]
         allowed = posted_between.Allowed(
             objects,
-            [c.ToolNumber for c in map(_controller_of, every) if c is not None],
+            [c.ToolNumber for c in map(controller_of, every) if c is not None],
             [host.coolant_of(o) for o in after],
             self.known,
             self.own,
@@ -123,7 +124,7 @@ class _Reading:
         raise InputError("Fixtures", self.offset, remedy % (names, op.Label))
 
     def _require_tool(self, op, run):
-        controller = _controller_of(op)
+        controller = controller_of(op)
         if controller is None:
             return
         first, last = (self.program.section_of(move)[0] for move in (run.first, run.end - 1))
@@ -150,6 +151,7 @@ class _Reading:
         own |= {("G", float(number)) for number in ALWAYS}
         rounding = self._mode_before(commands, lines.start)
         beside = {(k, round(v, 3)) for c in commands for k, v in c.Parameters.items() if k in BESIDE}
+        stops = 0
         for number, words in self.words:
             if number not in lines:
                 continue
@@ -159,11 +161,16 @@ class _Reading:
                 said = "%s%g in line %d" % (*other[0], number)
                 remedy = "the operation has no such word: use another post-processor."
                 raise InputError(op.Label, said, remedy)
+            stops += ("M", 1.0) in words
             if ("G", 64.0) in words or ("G", 61.0) in words:
                 rounding.append({k: v for k, v in words if k in "GPQ"})
+        asked = sum(c.Name in ("M1", "M01") for c in commands)
+        if kind_of(op) == TEXTURE and stops != asked:
+            remedy = "the operation has %d: use another post-processor." % asked
+            raise InputError(op.Label, "%d stops between patches" % stops, remedy)
         wanted = [{"G": float(c.Name[1:])} | c.Parameters for c in commands if c.Name in ("G61", "G64")]
         if self.dialect == "linuxcnc" and kind_of(op) and rounding:
-            near = 1e-6 if self.own else self.half_unit + 1e-6
+            near = HALF_ROUNDING if self.own else self.half_unit + 1e-6
             _require_in_order(op, _changes(rounding), _changes(wanted), near)
 
     def _mode_before(self, commands, line):
@@ -242,7 +249,7 @@ def _require_in_order(op, found, wanted, near):
         raise InputError(op.Label, "other words G61 and G64", "use another post-processor.")
 
 
-def _controller_of(op):
+def controller_of(op):
     """The tool controller of an operation, or of the one under dressups; None if there is none."""
     parts = posted_milling.with_those_under(op)
     return next((part.ToolController for part in parts if hasattr(part, "ToolController")), None)

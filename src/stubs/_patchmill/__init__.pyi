@@ -133,6 +133,7 @@ from _patchmill.patch import texture_plane as texture_plane
 from _patchmill.patch import texture_size as texture_size
 from _patchmill.patch import thin_out as thin_out
 from _patchmill.patch import two_sided as two_sided
+from _patchmill.patch import up_to_patch as up_to_patch
 from _patchmill.path import BallEndMill as BallEndMill
 from _patchmill.path import MoveKind as MoveKind
 from _patchmill.path import NO_DIMPLE as NO_DIMPLE

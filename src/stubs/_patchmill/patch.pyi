@@ -223,3 +223,6 @@ def thin_out(dimples: Dimples, division: PatchDivision, lattice: SurfaceLattice,
 def two_sided(shape: str) -> bool:
     """Whether patches have a side across that may differ from the other. Raises InputError naming PatchShape."""
     ...
+def up_to_patch(dimples: Dimples, last: int) -> Dimples:
+    """The dimples up to the last one of patch `last` in milling order. Raises InputError naming LastPatch."""
+    ...

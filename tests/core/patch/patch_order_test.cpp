@@ -37,6 +37,19 @@ TEST(PatchOrder, TheRestBeginsWithTheFirstDimpleOfItsPatch) {
   EXPECT_EQ(from_patch(all, 3).size(), 1u);
 }
 
+TEST(PatchOrder, APartEndsWithTheLastDimpleOfItsPatch) {
+  const Dimples all = of({3, 3, -1, -5, 1, 1, -1, 7, -7});
+  EXPECT_EQ(up_to_patch(all, 3).size(), all.size());
+  EXPECT_EQ(up_to_patch(all, 2).size(), 6u);
+  EXPECT_EQ(up_to_patch(all, 1).size(), 2u);
+  // one after the other, parts are the whole
+  std::vector<double> places;
+  for (int number = 1; number <= 3; ++number)
+    for (const Dimple& dimple : from_patch(up_to_patch(all, number), number))
+      if (dimple.state == DimpleState::Cut) places.push_back(dimple.surface.position.x());
+  EXPECT_EQ(places, (std::vector<double>{0, 1, 4, 5, 7}));
+}
+
 TEST(PatchOrder, OtherNumbersAreRefused) {
   for (const int first : {-1, 0, 4}) {
     try {
@@ -44,6 +57,12 @@ TEST(PatchOrder, OtherNumbersAreRefused) {
       FAIL() << first;
     } catch (const InputError& error) {
       EXPECT_EQ(error.property(), "FirstPatch");
+    }
+    try {
+      up_to_patch(of({3, 1, 7}), first);
+      FAIL() << first;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.property(), "LastPatch");
     }
   }
 }

@@ -30,4 +30,16 @@ Dimples from_patch(const Dimples& dimples, int first) {
   return Dimples(begin, dimples.end());
 }
 
+Dimples up_to_patch(const Dimples& dimples, int last) {
+  const auto count = static_cast<int>(milled_patches(dimples).size());
+  if (last < 1 || last > count)
+    throw InputError("LastPatch", std::to_string(last),
+                     fmt::format("the texture has the patches 1 to {}.", count));
+  if (last == count) return dimples;
+  const Dimples after = from_patch(dimples, last + 1);
+  const Dimples before(dimples.begin(), dimples.end() - static_cast<std::ptrdiff_t>(after.size()));
+  const auto cut = [](const Dimple& dimple) { return dimple.state == DimpleState::Cut; };
+  return Dimples(before.begin(), std::find_if(before.rbegin(), before.rend(), cut).base());
+}
+
 }  // namespace patchmill::patch

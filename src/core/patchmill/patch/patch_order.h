@@ -14,4 +14,8 @@ std::vector<int> milled_patches(const Dimples& dimples);
 /// InputError naming FirstPatch (1 .. number of milled patches).
 Dimples from_patch(const Dimples& dimples, int first);
 
+/// The dimples up to the last one that is cut of the patch number `last` (from 1) in milling order. Errors: InputError
+/// naming LastPatch (1 .. number of milled patches).
+Dimples up_to_patch(const Dimples& dimples, int last);
+
 }  // namespace patchmill::patch

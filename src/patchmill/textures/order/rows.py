@@ -67,9 +67,17 @@ def _direction(given, dimples, pattern):
     return core.flattest_row_direction(dimples, pattern)
 
 
-def from_patch(placed):
-    """The dimples of a PlacedTexture from its FirstPatch on. Raises InputError naming FirstPatch."""
-    number = placed.input.first_patch
+def chosen_patches(placed):
+    """(the dimples of a PlacedTexture from its FirstPatch to its LastPatch, how many of those that are milled
+    come before them). Raises InputError naming FirstPatch or LastPatch."""
+    first, last = placed.input.first_patch, placed.input.last_patch
     if placed.free is not None:
-        raise InputError("FirstPatch", number, "the free form is milled as a whole: give 1.")
-    return core.from_patch(placed.dimples, number)
+        name, value, all_of = ("FirstPatch", first, 1) if first != 1 else ("LastPatch", last, 0)
+        raise InputError(name, value, "the free form is milled as a whole: give %d." % all_of)
+    dimples = placed.dimples
+    if last:
+        if 0 < last < first:
+            raise InputError("LastPatch", last, "give no less than FirstPatch, %d." % first)
+        dimples = core.up_to_patch(dimples, last)
+    chosen = core.from_patch(dimples, first)
+    return chosen, dimples.counts()["cut"] - chosen.counts()["cut"]
