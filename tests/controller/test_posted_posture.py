@@ -36,7 +36,7 @@ CopyMilling.recompute(op)
 dressup = DressupDCM.Create("DressupDCM", op)
 dressup.Controls, dressup.Machine, dressup.TiltLimit = "Feed and posture", "table-table-ac", 40.0
 result = DressupDCM.recompute(dressup)
-text = host.post_parts(job, "patchmill_linuxcnc", "--no-header --no-show-editor --precision=5")[0]
+text = host.post_parts(job, "patchmill_linuxcnc", "--no-header --no-compare --precision=5")[0]
 open(%(folder)r + "/x.ngc", "w").write(text)
 base, path = result.base, result.path
 json.dump({"planned": (np.vstack([np.array(base.start)[None], base.tips]) + (0, 0, 3.0)).tolist(),

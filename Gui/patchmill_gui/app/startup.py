@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import FreeCAD
 import FreeCADGui
 from patchmill.freecad import hooks
+from patchmill_gui.app import native_post
 from PySide import QtCore
 
 
@@ -13,6 +14,7 @@ def install():
     """View providers for what macros make, our commands in FreeCAD's CAM menu, the user's thread limit."""
     hooks.CREATED.append(attach_view)
     hooks.RESTORED.append(_attach_later)
+    native_post.watch()
     QtCore.QTimer.singleShot(0, add_to_native_menu)
 
 

@@ -3,24 +3,19 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import functools
 import re
-import shlex
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 from _patchmill import InputError
 
 from patchmill.system import files
-from patchmill.freecad import host, post_probe
+from patchmill.freecad import host
 from patchmill.freecad.kinds import TEXTURE, kind_of
-from patchmill.machine import calibrated
 from patchmill.operations.computed import planned
 from patchmill.operations.copy_input import UNDERCUTS
-from patchmill.posting import control_match, kept_words, program_header, rest_of_job
+from patchmill.posting import control_match, kept_words, program_header, requirements, rest_of_job
 from patchmill.posting.control_match import own_dialect
-from patchmill.textures import strategies
 from patchmill.verify import checks, posted_job, posted_milling
 from patchmill.verify.posted_texture import PostedTexture
 from patchmill.system.stops import stoppable
@@ -84,7 +79,7 @@ def _ready(job, post_name, arguments):
     """_Ready of a job. Raises InputError if an operation is invalid, or cannot be posted so."""
     post_name = post_name or job.PostProcessor
     arguments = job.PostProcessorArgs if arguments is None else arguments
-    words = _split(arguments)
+    words = requirements.split_arguments(arguments)
     if not job.Fixtures:
         raise InputError("Fixtures", "none", "choose a work offset in the job's setup, such as G54.")
     operations = _active_operations(job)
@@ -94,29 +89,44 @@ def _ready(job, post_name, arguments):
     if not re.fullmatch(r"\w+", post_name, re.ASCII):
         raise InputError("PostProcessor", repr(post_name), "give the name of a post-processor.")
     for op, plan in zip(textures, plans):
-        _check_verdict(op, plan)
-        _check_calibration(plan)
-        _check_arguments(post_name, plan, words)
+        requirements.check_verdict(op, plan)
+        requirements.check_calibration(plan)
+        requirements.check_arguments(post_name, plan, words)
     own = own_dialect(post_name)
-    decimals = _decimals(post_name, words, plans)
+    decimals = requirements.decimals_of(post_name, words, plans)
     control_match.require(post_name, own.dialect if own else "", decimals, plans)
     tilted = [dressup for op in operations if (dressup := posted_milling.posture_of(op)) is not None]
     if tilted:
-        require_millimetres(tilted[0].Label, words)
-    _check_post(post_name, plans, tilted)
+        requirements.require_millimetres(tilted[0].Label, words)
+    requirements.check_post(post_name, plans, tilted)
     return _Ready(job, post_name, arguments, operations, own, decimals)
 
 
-def _read_back(ready, text, progress):
-    """What a program holds of a job, or None if `progress` returned False. Raises InputError naming what it
-    does not, or what gouges."""
+def require_holds(text, objects, post_name, arguments):
+    """Raises InputError if a program of `objects`, as FreeCAD hands them to one of PatchMill's own posts,
+    does not hold their job, or could not be posted by post()."""
+    job = next(filter(None, map(host.PathUtils.findParentJob, filter(_in_document, objects))), None)
+    if job is None:
+        raise InputError("Job", "none", "post the operations of a job.")
+    active = [o for o in objects if host.is_active(o)]
+    _read_back(_ready(job, post_name, arguments), text, lambda _: True, active)
+
+
+def _in_document(obj):
+    return hasattr(obj, "Proxy")
+
+
+def _read_back(ready, text, progress, objects=None):
+    """What a program holds of a job, or of those `objects` of it that FreeCAD puts into one file; None if
+    `progress` returned False. Raises InputError naming what it does not, or what gouges."""
     own, arguments = ready.own, ready.arguments
     if own is None:
         kept_words.require(ready.post_name, ready.operations, text)
     half_unit = 0.5 * 10.0**-ready.decimals
-    if "--inches" in _split(arguments):
+    if "--inches" in requirements.split_arguments(arguments):
         half_unit *= 25.4
-    (objects,) = host.post_objects(ready.job, ready.post_name)
+    if objects is None:
+        (objects,) = host.post_objects(ready.job, ready.post_name)
     dialect = own.dialect if own else "linuxcnc"
     known = kept_words.of_machine(program_header.machine_of(objects), arguments)
     posted = posted_job.read_back(text, objects, dialect, half_unit, known, own is not None)
@@ -160,14 +170,6 @@ class _Share:
         return not self.stopped
 
 
-def _split(arguments):
-    """The words of an argument string. Raises InputError naming PostProcessorArgs."""
-    try:
-        return shlex.split(arguments)
-    except ValueError as error:
-        raise InputError("PostProcessorArgs", repr(arguments), "%s." % error) from error
-
-
 def _active_operations(job):
     """The job's active operations and dressups, as they are now. Raises InputError if one of them, or what is
     under a dressup, could not be computed: FreeCAD would post its last path."""
@@ -191,95 +193,19 @@ def _active_operations(job):
     return operations
 
 
-def _check_verdict(op, plan):
-    """A plan that the machine cannot hold is not posted, unless the user says so. Where no machine is
-    named nothing is known; the report says that."""
-    verdict = plan.pacing.verdict
-    if verdict is None or op.PostUnheld or verdict.holding in ("holds", "unknown"):
-        return
-    raise InputError(
-        "SpindleSpeed",
-        "%g rpm" % (60.0 * plan.input.spindle.speed),
-        verdict.sentence + " Set PostUnheld to post it all the same.",
-    )
-
-
-def _check_calibration(plan):
-    """A start phase that was found with another controller, or at a speed where it is another one, is not
-    posted."""
-    given = plan.input
-    if plan.machine is None or given.calibrating or not given.keeps_phase.locked:
-        return
-    calibrated.require(plan.machine, given.spindle, given.spacing, given.tool.flutes)
-
-
-def require_millimetres(what, arguments):
-    """Posts scale the F of inverse time, which are no lengths, and what is read back is in millimetres."""
-    if "--inches" in arguments:
-        raise InputError("PostProcessorArgs", "--inches", "%s is posted in millimetres." % what)
-
-
-def _check_arguments(post_name, plan, arguments):
-    require_millimetres("a texture", arguments)
-    precision = _decimals(post_name, arguments, [plan])
-    if precision != plan.input.decimals:
-        raise InputError(
-            "Decimals",
-            plan.input.decimals,
-            "the post writes %d decimals: give --precision=%d or change Decimals."
-            % (precision, plan.input.decimals),
-        )
-
-
-def _decimals(post_name, arguments, plans):
-    own = own_dialect(post_name)
-    machine = next((plan.machine for plan in plans if plan.machine is not None), None)
-    precision = own.precision(shlex.join(arguments), machine) if own else 3
-    for i, argument in enumerate(arguments):
-        said = argument.split("=", 1)[1] if argument.startswith("--precision=") else ""
-        if argument == "--precision":
-            said = arguments[i + 1] if i + 1 < len(arguments) else "none"
-        if said and not re.fullmatch(r"\d\d?", said, re.ASCII):
-            raise InputError("PostProcessorArgs", argument, "give a number of decimals, such as 3.")
-        precision = int(said) if said else precision
-    return precision
-
-
-def _check_post(post_name, plans, tilted):
-    """A post that would lose words which the paths need is refused before it gets them. It is tried, once in
-    a session; the program that it posts is read back all the same."""
-    if own_dialect(post_name):
-        return
-    angles = [np.degrees(p.posture.work.joints) for p in plans if p.posture is not None]
-    angles += [posted_milling.angles_in(dressup) for dressup in tilted]
-    needs = {
-        "rotary": bool(angles),
-        "turning_far": any(np.abs(a).max() > 360.0 for a in angles),
-        "locked": any(strategies.of(p.input.strategy).locked for p in plans),
-        "inverse": any("G93" in str(p.pacing.text) for p in plans if p.posture is not None)
-        or bool(tilted),
-    }
-    if not any(needs.values()):
-        return
-    missing = post_probe.missing(_probed(post_name), **needs)
-    if missing:
-        remedy = "%s: use one of PatchMill's own posts." % "; ".join(missing)
-        raise InputError("PostProcessor", post_name, remedy)
-
-
-@functools.lru_cache(maxsize=None)
-def _probed(post_name):
-    return post_probe.probe(host, post_name)
-
-
 def _single_text(job, post_name, arguments):
+    own = own_dialect(post_name) is not None
+    before = job.PostProcessorArgs
     try:
-        parts = host.post_parts(job, post_name, arguments)
+        parts = host.post_parts(job, post_name, arguments + " --no-compare" * own)
     except InputError:  # our own posts say what it is
         raise
     except (Exception, SystemExit) as error:  # somebody's program: it may fail in any way
         remedy = "it failed (%s: %s): use another post-processor." % (type(error).__name__, error)
         raise InputError("PostProcessor", post_name, remedy) from error
+    finally:
+        if own and job.PostProcessorArgs != before:  # FreeCAD 1.x takes them from the job
+            job.PostProcessorArgs = arguments
     if len(parts) != 1:
         remedy = "the job makes %d files: post them with post_files()." % len(parts)
         raise InputError("OrderOutputBy", job.OrderOutputBy, remedy)

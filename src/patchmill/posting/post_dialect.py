@@ -12,6 +12,7 @@ import shlex
 import _patchmill as core
 from _patchmill import InputError
 
+from patchmill import posting
 from patchmill.system import files
 from patchmill.freecad import host
 from patchmill.path.read_text import text_of
@@ -78,9 +79,17 @@ class Dialect:
             **_machine_words(machine, self.dialect),
         )
 
+    def compared(self, objects, arguments):
+        """The program, read back and checked as patchmill.post() does it, which says --no-compare and does so
+        itself. Raises InputError for one that does not hold the job."""
+        text = self.program(objects, arguments)
+        if self.options(arguments).compare:
+            posting.require_holds(text, objects, self.post, arguments)
+        return text
+
     def export(self, objects, filename, arguments):
         """FreeCAD 0.20 calls this; "-" writes no file."""
-        text = self.program(objects, arguments)
+        text = self.compared(objects, arguments)
         if filename != "-":
             files.write(filename, text)
         return text
@@ -108,7 +117,7 @@ class Dialect:
 
             def export(self):
                 arguments = self._job.PostProcessorArgs
-                return [(name, dialect.program(objs, arguments)) for name, objs in self._buildPostList()]
+                return [(name, dialect.compared(objs, arguments)) for name, objs in self._buildPostList()]
 
         return Processor
 
@@ -128,6 +137,7 @@ def _parser(post, precision, modal, line_numbers):
     pair("modal", modal, "leave out a G word that is in force")
     pair("axis-modal", modal, "leave out words of axes that stay where they are")
     pair("tlo", True, "tool length offset after a tool change (default)")
+    pair("compare", True, "read the program back, and refuse one that does not hold the job (default)")
     pair("show-editor", False, "accepted; no editor is shown")
     usual = "decimals; default the machine file's, without a machine %d" % precision
     parser.add_argument("--precision", type=int, help=usual)

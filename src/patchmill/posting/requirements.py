@@ -1,0 +1,108 @@
+"""What a job and a post-processor's arguments must be before a program is made of them.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import functools
+import re
+import shlex
+
+import numpy as np
+from _patchmill import InputError
+
+from patchmill.freecad import host, post_probe
+from patchmill.machine import calibrated
+from patchmill.posting.control_match import own_dialect
+from patchmill.textures import strategies
+from patchmill.verify import posted_milling
+
+
+def split_arguments(arguments):
+    """The words of an argument string. Raises InputError naming PostProcessorArgs."""
+    try:
+        return shlex.split(arguments)
+    except ValueError as error:
+        raise InputError("PostProcessorArgs", repr(arguments), "%s." % error) from error
+
+
+def check_verdict(op, plan):
+    """A plan that the machine cannot hold is not posted, unless the user says so. Where no machine is
+    named nothing is known; the report says that."""
+    verdict = plan.pacing.verdict
+    if verdict is None or op.PostUnheld or verdict.holding in ("holds", "unknown"):
+        return
+    raise InputError(
+        "SpindleSpeed",
+        "%g rpm" % (60.0 * plan.input.spindle.speed),
+        verdict.sentence + " Set PostUnheld to post it all the same.",
+    )
+
+
+def check_calibration(plan):
+    """A start phase that was found with another controller, or at a speed where it is another one, is not
+    posted."""
+    given = plan.input
+    if plan.machine is None or given.calibrating or not given.keeps_phase.locked:
+        return
+    calibrated.require(plan.machine, given.spindle, given.spacing, given.tool.flutes)
+
+
+def require_millimetres(what, arguments):
+    """Posts scale the F of inverse time, which are no lengths, and what is read back is in millimetres."""
+    if "--inches" in arguments:
+        raise InputError("PostProcessorArgs", "--inches", "%s is posted in millimetres." % what)
+
+
+def check_arguments(post_name, plan, arguments):
+    """Raises InputError naming PostProcessorArgs or Decimals unless a texture is written as it was planned."""
+    require_millimetres("a texture", arguments)
+    precision = decimals_of(post_name, arguments, [plan])
+    if precision != plan.input.decimals:
+        raise InputError(
+            "Decimals",
+            plan.input.decimals,
+            "the post writes %d decimals: give --precision=%d or change Decimals."
+            % (precision, plan.input.decimals),
+        )
+
+
+def decimals_of(post_name, arguments, plans):
+    """How many decimals a post writes with these arguments. Raises InputError naming PostProcessorArgs."""
+    own = own_dialect(post_name)
+    machine = next((plan.machine for plan in plans if plan.machine is not None), None)
+    precision = own.precision(shlex.join(arguments), machine) if own else 3
+    for i, argument in enumerate(arguments):
+        said = argument.split("=", 1)[1] if argument.startswith("--precision=") else ""
+        if argument == "--precision":
+            said = arguments[i + 1] if i + 1 < len(arguments) else "none"
+        if said and not re.fullmatch(r"\d\d?", said, re.ASCII):
+            raise InputError("PostProcessorArgs", argument, "give a number of decimals, such as 3.")
+        precision = int(said) if said else precision
+    return precision
+
+
+def check_post(post_name, plans, tilted):
+    """A post that would lose words which the paths need is refused before it gets them. It is tried, once in
+    a session; the program that it posts is read back all the same."""
+    if own_dialect(post_name):
+        return
+    angles = [np.degrees(p.posture.work.joints) for p in plans if p.posture is not None]
+    angles += [posted_milling.angles_in(dressup) for dressup in tilted]
+    needs = {
+        "rotary": bool(angles),
+        "turning_far": any(np.abs(a).max() > 360.0 for a in angles),
+        "locked": any(strategies.of(p.input.strategy).locked for p in plans),
+        "inverse": any("G93" in str(p.pacing.text) for p in plans if p.posture is not None)
+        or bool(tilted),
+    }
+    if not any(needs.values()):
+        return
+    missing = post_probe.missing(_probed(post_name), **needs)
+    if missing:
+        remedy = "%s: use one of PatchMill's own posts." % "; ".join(missing)
+        raise InputError("PostProcessor", post_name, remedy)
+
+
+@functools.lru_cache(maxsize=None)
+def _probed(post_name):
+    return post_probe.probe(host, post_name)
