@@ -5,10 +5,12 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import driver
 import FreeCAD
+import FreeCADGui
 import hands
 import Part
 from patchmill.freecad import preferences
 from patchmill_gui.panels import texture_head
+from PySide import QtGui
 
 
 def plate(angle=0.0):
@@ -70,6 +72,21 @@ class OneClick(driver.unittest.TestCase):
         self.assertEqual((self.head.state, self.head.text.text()), (texture_head.GREY, ""))
         self.assertTrue(driver.wait(lambda: self.head.state != texture_head.GREY, 150))
         self.assertIn("dimples", self.head.text.text())
+
+    def test_ok_stays_in_sight_whatever_size_the_window_gets(self):
+        self.begin(plate(25.0))
+        self.settled(texture_head.GREEN)
+        window = FreeCADGui.getMainWindow()
+        size = window.size()
+        self.addCleanup(window.resize, size)
+        for width, height in ((1100, 760), (1400, 900), (1024, 740)):
+            window.showNormal()
+            window.resize(width, height)
+            driver.rest(1.0)
+            (box,) = [b for b in window.findChildren(QtGui.QDialogButtonBox) if b.isVisible()]
+            for kind in (QtGui.QDialogButtonBox.Ok, QtGui.QDialogButtonBox.Cancel):
+                self.assertTrue(hands.on_top(box.button(kind)), (width, height))
+            self.assertTrue(hands.on_top(self.head.bar))
 
     def test_the_advanced_fold_is_searched(self):
         self.begin(plate(25.0))

@@ -41,7 +41,7 @@ class Head(QtGui.QFrame):
         layout.addLayout(self.fixes)
         self.buttons = []
         self.state = None
-        self._area = self._margins = self._height = None
+        self._area = self._margins = None
         self.busy(translate("Looking for good values …"))
 
     def _say(self, state, sentence):
@@ -116,7 +116,7 @@ class Head(QtGui.QFrame):
         if area is None:
             return False
         self._area, self._kept = area, chain
-        self._margins = area.contentsMargins()
+        self._margins = area.viewportMargins()  # those of its contents end when it is resized
         self.setParent(area)
         area.installEventFilter(self)
         self.show()
@@ -133,8 +133,8 @@ class Head(QtGui.QFrame):
         """Gives the panel its place back."""
         if self._area is not None:
             self._area.removeEventFilter(self)
-            self._area.setContentsMargins(self._margins)
-            QtGui.QApplication.postEvent(self._area, QtCore.QEvent(QtCore.QEvent.LayoutRequest))
+            m = self._margins
+            self._area.setViewportMargins(m.left(), m.top(), m.right(), m.bottom())
             self._area = None
         self.hide()
         self.deleteLater()
@@ -152,10 +152,8 @@ class Head(QtGui.QFrame):
         self.setGeometry(0, 0, width, height)
         self.raise_()
         m = self._margins
-        if self._height != height:
-            self._height = height
-            self._area.setContentsMargins(m.left(), m.top() + height, m.right(), m.bottom())
-            QtGui.QApplication.sendEvent(self._area, QtCore.QEvent(QtCore.QEvent.LayoutRequest))
+        if self._area.viewportMargins().top() != m.top() + height:
+            self._area.setViewportMargins(m.left(), m.top() + height, m.right(), m.bottom())
 
 
 def _verdict(found, verdict):
