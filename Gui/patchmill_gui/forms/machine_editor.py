@@ -13,7 +13,7 @@ from patchmill.machine import machine_table, machines
 from patchmill.machine.linuxcnc import machine_of
 from PySide import QtCore, QtGui
 
-from patchmill_gui.forms.widgets import ERROR_COLOUR, translate
+from patchmill_gui.forms.widgets import Notice, translate
 
 PLACE = QtCore.Qt.UserRole
 VALUE = 1  # column
@@ -50,12 +50,9 @@ class MachineEditor(QtGui.QDialog):
         self.tree.setHeaderLabels([translate("What"), translate("Value"), translate("Unit")])
         self.tree.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.tree.setAlternatingRowColors(True)
-        self.where, self.message = QtGui.QLabel(), QtGui.QLabel()
-        self.message.setStyleSheet("color: " + ERROR_COLOUR)
-        self.message.setTextFormat(QtCore.Qt.PlainText)
+        self.where, self.message = QtGui.QLabel(), Notice()
         self.where.setTextFormat(QtCore.Qt.PlainText)
-        for label in (self.where, self.message):
-            label.setWordWrap(True)
+        self.where.setWordWrap(True)
         self.buttons = {}
         row = QtGui.QHBoxLayout()
         for name, text, call in [

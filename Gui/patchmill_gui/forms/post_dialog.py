@@ -14,10 +14,16 @@ from patchmill.posting import proposal
 from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.texture_summary import duration
-from patchmill_gui.forms.widgets import ERROR_COLOUR, busy_cursor, guard_editors, translate, wrapping_label
+from patchmill_gui.forms.widgets import (
+    ERROR_COLOUR,
+    GOOD_COLOUR,
+    busy_cursor,
+    guard_editors,
+    translate,
+    wrapping_label,
+)
 
 OFFSETS = ["G54", "G55", "G56", "G57", "G58", "G59"]
-GOOD_COLOUR = "#2e7d32"
 
 
 def show(job):

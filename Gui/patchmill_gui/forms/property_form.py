@@ -21,7 +21,7 @@ from patchmill_gui.forms.property_rows import (
     VectorRow,
     WholeRow,
 )
-from patchmill_gui.forms.widgets import ERROR_COLOUR, guard_editors, let_shrink
+from patchmill_gui.forms.widgets import Notice, guard_editors, let_shrink
 
 
 class Group(QtGui.QWidget):
@@ -85,11 +85,7 @@ class PropertyForm(QtCore.QObject):
         let_shrink(row.editor)
         guard_editors(row.editor)
         row.label = label
-        row.error = QtGui.QLabel()
-        row.error.setWordWrap(True)
-        row.error.setTextFormat(QtCore.Qt.PlainText)
-        row.error.setStyleSheet("color: " + ERROR_COLOUR)
-        row.error.hide()
+        row.error = Notice()
         layout = self.groups[group].rows
         row.group = self.groups[group]
         layout.addRow(label, row.editor)
@@ -137,7 +133,6 @@ class PropertyForm(QtCore.QObject):
         named = getattr(error, "property", None)
         for name, row in self.rows.items():
             mine = named == name
-            row.error.setVisible(mine)
             row.error.setText("%s: %s" % (error.value, error.remedy) if mine else "")
             if mine:
                 row.group.heading.setChecked(True)

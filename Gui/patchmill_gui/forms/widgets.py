@@ -5,12 +5,14 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import contextlib
+import html
 
 import FreeCAD
 from FreeCAD import Qt
 from PySide import QtCore, QtGui
 
-ERROR_COLOUR = "#c0392b"
+# under white text, so that sentences are read as well in a dark theme as in a light one (contrast above 5)
+GOOD_COLOUR, DOUBT_COLOUR, ERROR_COLOUR = "#2e7d32", "#8a5a00", "#b71c1c"
 
 
 def translate(text):
@@ -62,6 +64,29 @@ def wrapping_label(text=""):
     label.setWordWrap(True)
     label.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
     return label
+
+
+class Notice(QtGui.QLabel):
+    """A sentence in white on a colour, hidden while there is none. Names of a document's objects are no
+    markup in it."""
+
+    def __init__(self, colour=ERROR_COLOUR):
+        super().__init__()
+        self.setWordWrap(True)
+        self.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
+        self.setTextFormat(QtCore.Qt.PlainText)
+        self.setStyleSheet("color: white; background: %s; padding: 3px; border-radius: 3px" % colour)
+        self.hide()
+
+    def setText(self, text):
+        super().setText(text)
+        self.setVisible(bool(text))
+
+
+def noticed(text, colour):
+    """Rich text of a sentence in white on a colour."""
+    style = "color:white; background-color:" + colour
+    return '<span style="%s">&nbsp;%s&nbsp;</span>' % (style, html.escape(text))
 
 
 @contextlib.contextmanager

@@ -4,12 +4,11 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import FreeCADGui
-import html
 
 from patchmill.verify import checks
 from pivy import coin
 
-from patchmill_gui.forms.widgets import ERROR_COLOUR, translate
+from patchmill_gui.forms.widgets import DOUBT_COLOUR, ERROR_COLOUR, GOOD_COLOUR, noticed, translate
 from patchmill_gui.work.work_panel import WorkPanel
 
 MARKS = 200  # findings that are shown in the view
@@ -32,8 +31,8 @@ class CheckPanel(WorkPanel):
     def show_result(self, result):
         self.result = result
         self.bar.show_share(1.0, 0.0)
-        colour = {checks.CLEAR: "#2e7d32", checks.UNKNOWN: "#b26a00"}.get(result.outcome, ERROR_COLOUR)
-        self.text.setText('<b style="color:%s">%s</b>' % (colour, html.escape(result.sentence)))
+        colour = {checks.CLEAR: GOOD_COLOUR, checks.UNKNOWN: DOUBT_COLOUR}.get(result.outcome, ERROR_COLOUR)
+        self.text.setText("<b>%s</b>" % noticed(result.sentence, colour))
         for finding in sorted(result.findings, key=lambda f: -f.depth)[:MARKS]:
             self.marks.addChild(_mark(finding.place, 0.5 if finding is not result.worst else 1.0))
 

@@ -20,7 +20,7 @@ from patchmill_gui.forms.advisor_box import AdvisorBox
 from patchmill_gui.forms.idle_properties import idle_properties
 from patchmill_gui.forms.resources import path
 from patchmill_gui.forms.texture_summary import placed_summary, planned_summary
-from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, translate
+from patchmill_gui.forms.widgets import Notice, ProgressBar, translate
 from patchmill_gui.panels.operation_base import OperationPage, OperationPanel
 from patchmill_gui.panels.texture_advising import Advising
 from patchmill_gui.views.texture_scene import dimple_displays, line_displays
@@ -85,10 +85,7 @@ class TexturePage(OperationPage):
         self.summary.setWordWrap(True)
         self.summary.setTextFormat(QtCore.Qt.RichText)
         layout.addWidget(self.summary)
-        self.message = QtGui.QLabel()
-        self.message.setTextFormat(QtCore.Qt.PlainText)  # names of a document's objects are no markup
-        self.message.setWordWrap(True)
-        self.message.setStyleSheet("color: " + ERROR_COLOUR)
+        self.message = Notice()
         layout.addWidget(self.message)
         self.progress = ProgressBar()
         layout.addWidget(self.progress)

@@ -10,7 +10,7 @@ import FreeCAD
 from _patchmill import InputError
 from PySide import QtCore, QtGui
 
-from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, translate, wrapping_label
+from patchmill_gui.forms.widgets import Notice, ProgressBar, translate, wrapping_label
 from patchmill_gui.work.background import Background
 
 
@@ -22,9 +22,7 @@ class ComputingBox(QtGui.QGroupBox):
         layout = QtGui.QVBoxLayout(self)
         self.button = QtGui.QPushButton(translate("Preview"))
         self.button.setObjectName("Preview")
-        self.bar, self.text, self.message = ProgressBar(), wrapping_label(), wrapping_label()
-        self.message.setStyleSheet("color: " + ERROR_COLOUR)
-        self.message.setTextFormat(QtCore.Qt.PlainText)
+        self.bar, self.text, self.message = ProgressBar(), wrapping_label(), Notice()
         for widget in (self.button, self.bar, self.text, self.message):
             layout.addWidget(widget)
 

@@ -5,11 +5,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import FreeCADGui
-import html
 
 from PySide import QtGui
 
-from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, button_number, wrapping_label
+from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, button_number, noticed, wrapping_label
 from patchmill_gui.work.background import Background
 
 
@@ -62,7 +61,7 @@ class WorkPanel(ClosePanel):
     def show_error(self, error):
         self.error = error
         self.bar.hide()
-        self.text.setText('<span style="color:%s">%s</span>' % (ERROR_COLOUR, html.escape(str(error))))
+        self.text.setText(noticed(str(error), ERROR_COLOUR))
 
     def leave(self):
         self.work.cancel()
