@@ -3,12 +3,11 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import FreeCADGui
-
 from patchmill.verify import checks
 from pivy import coin
 
 from patchmill_gui.forms.widgets import DOUBT_COLOUR, ERROR_COLOUR, GOOD_COLOUR, noticed, translate
+from patchmill_gui.views.own_view import scene_of
 from patchmill_gui.work.work_panel import WorkPanel
 
 MARKS = 200  # findings that are shown in the view
@@ -18,8 +17,8 @@ class CheckPanel(WorkPanel):
     """Task panel for a texture operation; the check starts at once."""
 
     def __init__(self, operation):
-        super().__init__(translate("Check {}").format(operation.Label))
-        self.root = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
+        super().__init__(translate("Check {}").format(operation.Label), operation)
+        self.root = scene_of(operation)
         self.marks = coin.SoSeparator()
         self.root.addChild(self.marks)
         self.add_progress()

@@ -33,7 +33,8 @@ class DcmPanel(Computing):
     def __init__(self, obj):
         self.obj = obj
         self.scene = obj.ViewObject.Proxy.scene
-        self.legend = LegendPlace()
+        self.view_document = obj.ViewObject.Document
+        self.legend = LegendPlace(obj)
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(translate("DCM modifier"))
         self.form.setWindowIcon(QtGui.QIcon(icon("PatchMill_DressupDcm")))
@@ -161,15 +162,16 @@ class DcmPanel(Computing):
         self.obj.Proxy.ready = result[:2]
         self.obj.touch()
         self.obj.Document.recompute()
-        FreeCAD.ActiveDocument.commitTransaction()
+        self.obj.Document.commitTransaction()
         self._close()
 
     def reject(self):
         if self.stop_waiting():
             return False
-        FreeCAD.ActiveDocument.abortTransaction()
+        document = self.obj.Document  # which need not be the one in front
+        document.abortTransaction()
         self._close()
-        FreeCAD.ActiveDocument.recompute()
+        document.recompute()
         return True
 
     def _close(self):
@@ -177,7 +179,7 @@ class DcmPanel(Computing):
         for part in ("slice", "arrows"):
             self.scene.parts.switch(part, False)
         FreeCADGui.Control.closeDialog()
-        FreeCADGui.ActiveDocument.resetEdit()
+        self.view_document.resetEdit()
 
 
 def _slice_of(what, model, feed, limits, axis, place):
@@ -234,7 +236,7 @@ class DcmView:
         if mode != 0:
             return False
         if not FreeCAD.getActiveTransaction():
-            FreeCAD.ActiveDocument.openTransaction("DCM")
+            vobj.Object.Document.openTransaction("DCM")
         FreeCADGui.Control.closeDialog()
         self.panel = DcmPanel(vobj.Object)
         FreeCADGui.Control.showDialog(self.panel)

@@ -114,7 +114,12 @@ class OperationPanel(NativePanel):
         FreeCAD's own call of accept, where it commits nothing."""
         self.obj.Proxy.ready = ready
         self.obj.Document.recompute()  # inside the transaction
-        super().accept()
+        with host.active_document(self.obj.Document):  # another one may be in front
+            super().accept()
+
+    def reject(self, resetEdit=True):
+        with host.active_document(self.obj.Document):
+            return super().reject(resetEdit)
 
 
 def _recompute(document, name):

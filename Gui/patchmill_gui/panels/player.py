@@ -6,12 +6,12 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 import time
 
-import FreeCADGui
 import numpy as np
 from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import guard_editors, translate
+from patchmill_gui.views.own_view import scene_of
 from patchmill_gui.views.tool_node import ToolNode
 from patchmill_gui.work.work_panel import ClosePanel
 
@@ -58,14 +58,14 @@ class PlayerPanel(ClosePanel):
     """Task panel. `path` is the ToolPath of the document object `operation`."""
 
     def __init__(self, operation, path):
-        super().__init__(translate("Play"))
+        super().__init__(translate("Play"), operation)
         self.line = Timeline(path)
         self.operation = operation
         self.moment = 0.0
         self._fill_form()
         radius = path.tool.radius
         self.tool = ToolNode(radius, path.tool.flutes, path.tool.sections)
-        self.root = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
+        self.root = scene_of(operation)
         self.root.addChild(self.tool.root)
         self.timer = QtCore.QTimer()
         self.timer.timeout.connect(self._frame)

@@ -39,7 +39,7 @@ class ReportPanel(WorkPanel):
     """Task panel; starts at once. `result`: the names of the files."""
 
     def __init__(self, operation, folder):
-        super().__init__(translate("Report"))
+        super().__init__(translate("Report"), operation)
         self.text.setOpenExternalLinks(True)
         self.add_progress()
         try:

@@ -35,11 +35,11 @@ class SimulatePanel(WorkPanel):
     """Task panel for a texture operation. The relief stays displayed when it closes."""
 
     def __init__(self, operation):
-        super().__init__(translate("Simulate marks"))
+        super().__init__(translate("Simulate marks"), operation)
         self.operation = operation
         self.plan = planned(operation)
         self.scene = operation.ViewObject.Proxy.scene
-        self.legend = LegendPlace()
+        self.legend = LegendPlace(operation)
         self.layout.addLayout(self._rows())
         self.button = QtGui.QPushButton(translate("Simulate"))
         self.button.setObjectName("Simulate")

@@ -4,8 +4,9 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import _patchmill as core
-import FreeCADGui
 from pivy import coin
+
+from patchmill_gui.views.own_view import view_of
 
 # In units of half the view's height: the bar's distance from the left, its low and high end, its width
 MARGIN, LOW, HIGH, WIDTH = 0.08, -0.75, 0.15, 0.05
@@ -73,15 +74,18 @@ class Legend:
 
 
 class LegendPlace:
-    """Where a panel shows its legend, one at a time: over the view that is active."""
+    """Where a panel shows its legend, one at a time: over the view of the document object it is about."""
 
-    def __init__(self):
+    def __init__(self, obj):
+        self._obj = obj
         self._root = self._legend = None
 
     def show(self, title, low, high, digits=0, labels=LABELS):
         """A legend in the place of the last one; arguments as Legend's."""
         self.hide()
-        view = FreeCADGui.ActiveDocument.ActiveView
+        view = view_of(self._obj)
+        if view is None:
+            return
         self._root = view.getSceneGraph()
         self._legend = Legend(title, low, high, digits, view.getSize(), labels)
         self._root.addChild(self._legend.root)

@@ -4,22 +4,26 @@ progress, result or error it shows.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import FreeCAD
 import FreeCADGui
 
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, button_number, noticed, wrapping_label
 from patchmill_gui.work.background import Background
 
 
 class ClosePanel:
-    """Task panel with a Close button. `form` is what FreeCAD shows; a subclass fills `layout`, and takes back
-    in `leave` what only the panel showed in the view."""
+    """Task panel with a Close button, about the document object `operation`, with which it closes. `form` is
+    what FreeCAD shows; a subclass fills `layout`, and takes back in `leave` what only the panel showed in the
+    view."""
 
-    def __init__(self, title):
+    def __init__(self, title, operation):
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title)
         self.layout = QtGui.QVBoxLayout(self.form)
+        self.watch = _Watch(operation, self._gone)
+        FreeCAD.addDocumentObserver(self.watch)
 
     def getStandardButtons(self):
         return button_number(QtGui.QDialogButtonBox.Close)
@@ -28,20 +32,54 @@ class ClosePanel:
         """Called when the panel closes."""
 
     def reject(self):
-        self.leave()
+        self._end()
         FreeCADGui.Control.closeDialog()
         return True
 
+    def _end(self):
+        FreeCAD.removeDocumentObserver(self.watch)
+        self.leave()
+
+    def _gone(self):
+        """The object is being deleted, maybe with its document: the window goes when that is done."""
+        shown = _is_shown(self.form)
+        self._end()
+        if shown:
+            QtCore.QTimer.singleShot(0, lambda: _is_shown(self.form) and FreeCADGui.Control.closeDialog())
+
     def accept(self):
         return self.reject()
+
+
+class _Watch:
+    """FreeCAD's observer that calls `gone` when a document object goes, or its document."""
+
+    def __init__(self, obj, gone):
+        self.place, self.gone = (obj.Document.Name, obj.Name), gone
+
+    def slotDeletedObject(self, obj):
+        if (obj.Document.Name, obj.Name) == self.place:
+            self.gone()
+
+    def slotDeletedDocument(self, document):
+        if document.Name == self.place[0]:
+            self.gone()
+
+
+def _is_shown(form):
+    """FreeCAD takes the form away from a panel that it closes."""
+    try:
+        return form is not None and form.isVisible()
+    except RuntimeError:  # FreeCAD has deleted it with its panel
+        return False
 
 
 class WorkPanel(ClosePanel):
     """With `work`, a Background, whose result comes to the subclass's `show_result(result)` and whose error
     is shown in `text`. What is still running when the panel closes is given up."""
 
-    def __init__(self, title):
-        super().__init__(title)
+    def __init__(self, title, operation):
+        super().__init__(title, operation)
         self.result = self.error = None
         self.bar, self.text = ProgressBar(), wrapping_label()
         self.work = Background()

@@ -163,7 +163,8 @@ void bind_copy(py::module_& m) {
       py::arg("part"), py::arg("options"), py::arg("progress") = py::none(),
       "(ToolPath of a ball end mill over the part, layer by layer from the stock; how many lines "
       "cannot be reached from above and were left out). If progress(share) returns False: what was "
-      "done so far. Raises InputError naming tool radius, feed, radial depth of cut, axial depth of "
+      "done so far. Raises InputError naming tool radius, feed, radial depth of cut, axial depth "
+      "of "
       "cut, depth of cut, tolerance, allowance, stock, clearance or overlap.");
   m.def(
       "over_faces",

@@ -12,8 +12,8 @@ import numpy as np
 def seconds(path, rapids=(0.0, 0.0), machine=None, joints=None):
     """Time [s] of a _patchmill.ToolPath. `rapids`: the tool controller's, across and up or down [mm/s], 0: in
     no time; taken where no machine is named. `machine`: a machines.Machine, whose own limits are taken;
-    `joints`: (n + 1, 2) angles of its rotary axes [rad] at the path's start, to which they turn from zero, and
-    at the end of each move."""
+    `joints`: (n + 1, 2) angles of its rotary axes [rad] at the path's start, to which they turn from zero,
+    and at the end of each move."""
     if not len(path):
         return 0.0
     if machine is None:

@@ -54,7 +54,7 @@ def require_millimetres(what, arguments):
 
 
 def check_arguments(post_name, plan, arguments):
-    """Raises InputError naming PostProcessorArgs or Decimals unless a texture is written as it was planned."""
+    """Raises InputError naming PostProcessorArgs or Decimals unless a texture is written as planned."""
     require_millimetres("a texture", arguments)
     precision = decimals_of(post_name, arguments, [plan])
     if precision != plan.input.decimals:

@@ -128,7 +128,7 @@ def apply_dcm(path: _patchmill.path.ToolPath, grid: VoxelGrid, feed: FeedField, 
     """(path, number of the given move of each move, places where no axis was clear). `holder`: frusta (from, to, radius from, radius to), heights above the ball centre [mm]. Raises InputError naming FeedField, PostureField, Reading, ReadAt, holder section, height of holder section, radius of holder section, holder clearance, lowest axis, feed tolerance, axis tolerance, axis rate or acceleration."""
     ...
 def copy_mill(part: Solid, options: CopyOptions, progress: object = None) -> tuple[_patchmill.path.ToolPath, int]:
-    """(ToolPath of a ball end mill over the part, layer by layer from the stock; how many lines cannot be reached from above and were left out). If progress(share) returns False: what was done so far. Raises InputError naming feed, radial depth of cut, axial depth of cut, depth of cut, tolerance, allowance, stock, clearance or overlap."""
+    """(ToolPath of a ball end mill over the part, layer by layer from the stock; how many lines cannot be reached from above and were left out). If progress(share) returns False: what was done so far. Raises InputError naming tool radius, feed, radial depth of cut, axial depth of cut, depth of cut, tolerance, allowance, stock, clearance or overlap."""
     ...
 def diffuse_feed(grid: VoxelGrid, low: float, high: float, time: float, step: float, diffusivity: float, substep: bool = False, exterior: str = 'Held') -> tuple[FeedField, int]:
     """(FeedField after `time` [s], steps taken); steps beyond the limit are refused or divided. Raises InputError naming lower feed, upper feed, Exterior, diffusion time, time step, number of time steps or diffusion coefficient."""
