@@ -73,6 +73,20 @@ class OneClick(driver.unittest.TestCase):
         self.assertTrue(driver.wait(lambda: self.head.state != texture_head.GREY, 150))
         self.assertIn("dimples", self.head.text.text())
 
+    def test_the_relief_of_the_worst_place_is_shown_until_a_value_changes(self):
+        self.begin(plate(25.0))
+        self.settled(texture_head.GREEN)
+        scene = self.panel.scene
+        self.assertTrue(driver.wait(lambda: scene.filled("relief") and scene.complete, 60))
+        self.assertTrue(scene.shown("relief"))
+        driver.set_quantity(self.panel, "Spacing", 0.7)
+        self.assertFalse(scene.filled("relief"))
+        self.assertTrue(driver.wait(lambda: scene.filled("relief"), 150))
+        box = self.panel.page.previews["relief"]
+        hands.show(box)
+        hands.click(box)
+        self.assertFalse(scene.shown("relief"))
+
     def test_ok_stays_in_sight_whatever_size_the_window_gets(self):
         self.begin(plate(25.0))
         self.settled(texture_head.GREEN)

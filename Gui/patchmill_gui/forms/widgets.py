@@ -122,6 +122,14 @@ class ProgressBar(QtGui.QProgressBar):
         self.show()
 
 
+def one_shot(call):
+    """A timer that calls once after each start."""
+    timer = QtCore.QTimer()
+    timer.setSingleShot(True)
+    timer.timeout.connect(call)
+    return timer
+
+
 def user_unit(unit):
     """(unit, factor) in which the user's FreeCAD shows what is in `unit`, such as "mm/s"."""
     _, factor, shown = FreeCAD.Units.Quantity(1.0, unit).getUserPreferred()

@@ -15,20 +15,8 @@ from patchmill_gui.forms.choice_rows import MachineBox
 from patchmill_gui.forms.widgets import busy_cursor, guard_editors, let_shrink, translate
 from patchmill_gui.panels.texture_view import RELIEF
 from patchmill_gui.views.legend import LegendPlace
-from patchmill_gui.views.texture_scene import relief_display
+from patchmill_gui.views.texture_scene import relief_of
 from patchmill_gui.work.work_panel import WorkPanel
-
-MOST_POINTS = 10**7
-
-
-def relief_of(result):
-    """(displays, low, high in µm) of a SimulatedTexture, thinned to what a display can hold."""
-    rows, columns = result.heights.shape
-    stride = 1
-    while (rows // stride) * (columns // stride) > MOST_POINTS:
-        stride += 1
-    points, heights = result.surface(stride=stride)
-    return relief_display(points, 1000.0 * heights)
 
 
 class SimulatePanel(WorkPanel):

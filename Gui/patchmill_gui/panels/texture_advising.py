@@ -15,16 +15,40 @@ from PySide import QtCore
 
 from patchmill_gui.forms.widgets import translate
 from patchmill_gui.panels.texture_head import Head
+from patchmill_gui.views.texture_scene import relief_of
 from patchmill_gui.work.background import Background
 
 assess = assessment.with_simulation(simulate)
 choose = partial(choice.choose, assess)
 
 
-class Advising(QtCore.QObject):
-    """`chosen` when a new texture has its values, or will have none."""
+class _Worst:
+    """patchmill.simulate that keeps the worst of what it made."""
 
-    chosen = QtCore.Signal()
+    def __init__(self):
+        self.result = None
+
+    def __call__(self, plan, **options):
+        made = simulate(plan, **options)
+        if self.result is None or made.quality < self.result.quality:
+            self.result = made
+        return made
+
+
+def _assess_and_draw(given, progress):
+    """(Assessment, displays of the relief of the worst place) or None if cancelled."""
+    worst = _Worst()
+    found = assessment.assess(worst, given, 3, progress)
+    if found is None:
+        return None
+    return found, relief_of(worst.result)[0] if worst.result is not None else {}
+
+
+class Advising(QtCore.QObject):
+    """`chosen` when a new texture has its values, or will have none; `relief` with the displays of the worst
+    place that was looked at."""
+
+    chosen, relief = QtCore.Signal(), QtCore.Signal(object)
 
     def __init__(self, obj, show_properties):
         super().__init__()
@@ -102,11 +126,13 @@ class Advising(QtCore.QObject):
         self._planned = planned
         given = planned.asked
         self.helping.cancel()
-        self.assessing.start(lambda progress: assess(given, 3, progress))
+        self.assessing.start(lambda progress: _assess_and_draw(given, progress))
 
-    def _assessed(self, found):
+    def _assessed(self, made):
+        found, displays = made or (None, {})
         if found is None or self._planned is None:
             return
+        self.relief.emit(displays)
         seconds = self._planned.seconds
         self.head.show_found(found, seconds, self._planned.pacing.verdict, self.notes)
         if not found.good:

@@ -20,7 +20,7 @@ from patchmill_gui.forms.advisor_box import AdvisorBox
 from patchmill_gui.forms.idle_properties import idle_properties
 from patchmill_gui.forms.resources import path
 from patchmill_gui.forms.texture_summary import placed_summary, planned_summary
-from patchmill_gui.forms.widgets import Notice, ProgressBar, translate
+from patchmill_gui.forms.widgets import Notice, ProgressBar, one_shot, translate
 from patchmill_gui.panels.operation_base import OperationPage, OperationPanel
 from patchmill_gui.panels.texture_advising import Advising
 from patchmill_gui.views.texture_scene import dimple_displays, line_displays
@@ -30,7 +30,13 @@ PICTURE_WIDTH = 220  # as narrow as FreeCAD's panel at first
 PLACE_AFTER_MS, PLAN_AFTER_MS = 10, 400
 MAIN = "Pattern"
 MAIN_ROWS = ("PatchShape", "Spacing", "Depth", "Margin", "MaskUse", "Machine", "ToolAxisMode", "Strategy")
-PREVIEWS = (("dimples", "Dimples"), ("outlines", "Patches"), ("order", "Order"), ("axes", "Tool axes"))
+PREVIEWS = (
+    ("dimples", "Dimples"),
+    ("outlines", "Patches"),
+    ("order", "Order"),
+    ("axes", "Tool axes"),
+    ("relief", "Relief"),
+)
 
 
 def main_first(table):
@@ -77,7 +83,7 @@ class TexturePage(OperationPage):
         for place, (part, text) in enumerate(PREVIEWS):
             check = QtGui.QCheckBox(translate(text))
             check.setObjectName("Preview" + part.capitalize())
-            check.setChecked(part in ("dimples", "outlines"))
+            check.setChecked(part in ("dimples", "outlines", "relief"))
             grid.addWidget(check, place // 2, place % 2)
             self.previews[part] = check
         layout.addLayout(grid)
@@ -135,9 +141,10 @@ class TexturePanel(OperationPanel):
         self.planning.progressed.connect(page.progress.show_share)
         self.advising = Advising(obj, page.advised)
         self.advising.chosen.connect(self._chosen)
+        self.advising.relief.connect(self.scene.show)
         self.ready = None
         self.accepting = False
-        self.place_timer, self.plan_timer = _timer(self._place), _timer(self._plan)
+        self.place_timer, self.plan_timer = one_shot(self._place), one_shot(self._plan)
 
     def setupUi(self):
         super().setupUi()
@@ -169,6 +176,7 @@ class TexturePanel(OperationPanel):
         self.planning.cancel()
         self.page.progress.setVisible(False)
         self.advising.outdate()
+        self.scene.empty("relief")  # that of the values before
         self.place_timer.start(PLACE_AFTER_MS)
         self.plan_timer.start(PLAN_AFTER_MS)
 
@@ -285,10 +293,3 @@ def _prepared_and_drawn(given, progress):
         ready.summary = planned_summary(ready.planned)
         ready.axes = core.path_axis_display(ready.planned.path, 2.0 * given.tool.radius)
     return ready
-
-
-def _timer(call):
-    timer = QtCore.QTimer()
-    timer.setSingleShot(True)
-    timer.timeout.connect(call)
-    return timer

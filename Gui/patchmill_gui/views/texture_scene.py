@@ -14,6 +14,7 @@ from PySide import QtCore
 
 PARTS = ("dimples", "outlines", "order", "axes", "path", "relief")
 SLICE_SECONDS, PAUSE_MS = 0.02, 10
+MOST_POINTS = 10**7  # of a relief
 
 
 def read_nodes(chunk):
@@ -57,12 +58,16 @@ class SceneParts:
         for _, group in self._switches.values():
             group.removeAllChildren()
 
+    def empty(self, part):
+        """Takes away what a part shows."""
+        self._switches[part][1].removeAllChildren()
+        self._pending = [job for job in self._pending if job[0] != part]
+
     def show(self, displays):
         """Shows displays, a dict of part: _patchmill.Display, in place of what the parts held. A first slice
         of them at once, the rest as the event loop has time."""
         for part, display in displays.items():
-            self._switches[part][1].removeAllChildren()
-            self._pending = [job for job in self._pending if job[0] != part]
+            self.empty(part)
             self._pending += [(part, display, number) for number in range(len(display))]
         self._feed()
 
@@ -120,3 +125,13 @@ def relief_display(points, values):
     finite = values[np.isfinite(values)]
     low, high = np.percentile(finite, (0.5, 99.5)) if finite.size else (0.0, 1.0)
     return {"relief": core.grid_display(points, values, low, high)}, float(low), float(high)
+
+
+def relief_of(result):
+    """(displays, low, high in µm) of a SimulatedTexture, thinned to what a display can hold."""
+    rows, columns = result.heights.shape
+    stride = 1
+    while (rows // stride) * (columns // stride) > MOST_POINTS:
+        stride += 1
+    points, heights = result.surface(stride=stride)
+    return relief_display(points, 1000.0 * heights)
