@@ -69,7 +69,7 @@ TAKEN = [
      "MarkWish spindle_speed, MarkWish.state spindle_speed, constant_feed_path feed, fit_to_stops feed, "
      "Kinematics work_zero, Kinematics.add_rotary point, Kinematics.in_work_frame linear, "
      "Kinematics.pivot_referred point, scale_feed factors, hurry_in_air feed, CopyOptions feed, "
-     "CopyOptions radial_depth, CopyOptions axial_depth, CopyOptions clearance, copy_mill radius, "
+     "CopyOptions radial_depth, CopyOptions axial_depth, CopyOptions clearance, "
      "copy_mill speed, scallop_height radius, LiveSession.change radial_depth, "
      "LiveSession.change axial_depth, motion_of_samples radius, simulate_texture step, * reach, "
      "compare_window spacing, classify_alignment feed_per_tooth, classify_alignment cross_feed"),

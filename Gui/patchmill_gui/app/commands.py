@@ -27,7 +27,9 @@ class TextureCommand(MakingCommand):
         found = selected_faces()
         if found is None:
             raise InputError(
-                translate("Selection"), translate("no face"), translate("select faces to texture.")
+                translate("PatchMill", "Selection"),
+                translate("PatchMill", "no face"),
+                translate("PatchMill", "select faces to texture."),
             )
         module = importlib.import_module(self.MODULE)
         self.begin()
@@ -49,9 +51,7 @@ class PyramidTexture(TextureCommand):
     NAME, OPERATION = "PatchMill_PyramidTexture", "PyramidTexture"
     MODULE = "patchmill.operations.pyramid_texture"
     TEXT = QT_TRANSLATE_NOOP("PatchMill_PyramidTexture", "Pyramid texture")
-    TIP = QT_TRANSLATE_NOOP(
-        "PatchMill_PyramidTexture", "Dimples in faceted patches on the selected faces"
-    )
+    TIP = QT_TRANSLATE_NOOP("PatchMill_PyramidTexture", "Dimples in faceted patches on the selected faces")
 
 
 class CurvedTexture(TextureCommand):
@@ -83,7 +83,9 @@ class CopyMilling(MakingCommand):
         found = FreeCADGui.Selection.getSelection()
         if not found:
             raise InputError(
-                translate("Selection"), translate("nothing"), translate("select a part or its faces.")
+                translate("PatchMill", "Selection"),
+                translate("PatchMill", "nothing"),
+                translate("PatchMill", "select a part or its faces."),
             )
         part, faces = selected_faces() or (found[0], [])
         self.begin()
@@ -103,9 +105,9 @@ class DressupDcm(MakingCommand):
         found = [o for o in FreeCADGui.Selection.getSelection() if o.isDerivedFrom("Path::Feature")]
         if len(found) != 1:
             raise InputError(
-                translate("Selection"),
-                translate("{} operations").format(len(found)),
-                translate("select one operation of a job."),
+                translate("PatchMill", "Selection"),
+                translate("PatchMill", "{} operations").format(len(found)),
+                translate("PatchMill", "select one operation of a job."),
             )
         self.begin()
         dressup = dressup_dcm.Create("DressupDCM", found[0])
@@ -161,7 +163,7 @@ class Report(PanelCommand):
         from patchmill_gui.panels.report_panel import ReportPanel
 
         folder = QtGui.QFileDialog.getExistingDirectory(
-            FreeCADGui.getMainWindow(), translate("Folder for the report")
+            FreeCADGui.getMainWindow(), translate("PatchMill", "Folder for the report")
         )
         return ReportPanel(operation, folder) if folder else None
 

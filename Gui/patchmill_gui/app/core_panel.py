@@ -31,18 +31,20 @@ class CorePanel:
     def __init__(self):
         self.form = QtGui.QWidget()
         self.form.setObjectName("PatchMillCorePanel")
-        self.form.setWindowTitle(translate("PatchMill's compiled core"))
+        self.form.setWindowTitle(translate("PatchMill", "PatchMill's compiled core"))
         layout = QtGui.QVBoxLayout(self.form)
         reason = core_loader.why_absent()
         text = "%s.\n\n%s" % (reason[:1].upper() + reason[1:], host_words())
         self.reason = self._label(layout, text)
-        keep = translate("Documents with PatchMill's operations can be opened and saved; nothing is lost.")
+        keep = translate(
+            "PatchMill", "Documents with PatchMill's operations can be opened and saved; nothing is lost."
+        )
         self._label(layout, keep)
         self.buttons = {}
         for name, text, action in (
-            ("install", translate("Install"), self.install),
-            ("choose", translate("Install from a wheel file …"), self.choose),
-            ("copy", translate("Copy the command for a terminal"), self.copy),
+            ("install", translate("PatchMill", "Install"), self.install),
+            ("choose", translate("PatchMill", "Install from a wheel file …"), self.choose),
+            ("copy", translate("PatchMill", "Copy the command for a terminal"), self.copy),
         ):
             button = QtGui.QPushButton(text)
             button.clicked.connect(action)
@@ -65,14 +67,14 @@ class CorePanel:
         self._do(lambda: wheels.install(found[0]) if found else wheels.fetch())
 
     def choose(self):
-        title = translate("A wheel of PatchMill's core")
+        title = translate("PatchMill", "A wheel of PatchMill's core")
         name = QtGui.QFileDialog.getOpenFileName(self.form, title, "", "patchmill_core-*.whl")[0]
         if name:
             self._do(lambda: wheels.install(name))
 
     def copy(self):
         QtGui.QApplication.clipboard().setText(shlex.join(wheels.command()))
-        self.said.setText(translate("Copied. Start FreeCAD again when it has run."))
+        self.said.setText(translate("PatchMill", "Copied. Start FreeCAD again when it has run."))
 
     def _do(self, work):
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
@@ -86,7 +88,7 @@ class CorePanel:
         if reason:
             self.said.setText(reason[:1].upper() + reason[1:])
             return
-        self.said.setText(translate("Installed. Start FreeCAD again to use it."))
+        self.said.setText(translate("PatchMill", "Installed. Start FreeCAD again to use it."))
         for button in self.buttons.values():
             button.setEnabled(False)
 

@@ -38,8 +38,9 @@ def start():
     import PathGui  # noqa: F401  FreeCAD's icons and forms, without its workbench being shown
 
     native("startup").Startup()
-    commands.register()
-    examples.register()
     FreeCADGui.addIconPath(path("icons"))
     FreeCADGui.addLanguagePath(path("translations"))
+    FreeCADGui.updateLocale()  # those of the language that FreeCAD speaks are loaded
+    commands.register()
+    examples.register()
     FreeCADGui.addPreferencePage(path("ui", "preferences.ui"), "PatchMill")

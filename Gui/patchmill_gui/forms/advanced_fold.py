@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import FreeCAD
 from patchmill.freecad import preferences
+from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from PySide import QtGui
 
 from patchmill_gui.forms.property_form import Group
@@ -17,11 +18,13 @@ class AdvancedFold(Group):
 
     def __init__(self, form, main):
         self._settings = FreeCAD.ParamGet(preferences.PATH)
-        super().__init__(translate("Advanced"), self._settings.GetBool("AdvancedOpen", False))
+        super().__init__(
+            QT_TRANSLATE_NOOP("PatchMill", "Advanced"), self._settings.GetBool("AdvancedOpen", False)
+        )
         self.form = form
         self.search = QtGui.QLineEdit()
         self.search.setObjectName("AdvancedSearch")
-        self.search.setPlaceholderText(translate("Search"))
+        self.search.setPlaceholderText(translate("PatchMill", "Search"))
         self.search.setClearButtonEnabled(True)
         self.search.textChanged.connect(self._find)
         self.rows.addRow(self.search)

@@ -14,11 +14,12 @@ class AdvisorBox(QtGui.QGroupBox):
     """`taken()` is called when a proposal was taken over into the operation's properties."""
 
     def __init__(self, obj, taken):
-        super().__init__(translate("Marks in rows"))
+        super().__init__(translate("PatchMill", "Marks in rows"))
         self.obj, self.taken = obj, taken
         self.array = QtGui.QComboBox()
-        self.array.addItems(["Square", "Staggered"])
-        ask = QtGui.QPushButton(translate("Propose"))
+        self.array.addItem(translate("PatchMill", "Square"), "Square")
+        self.array.addItem(translate("PatchMill", "Staggered"), "Staggered")
+        ask = QtGui.QPushButton(translate("PatchMill", "Propose"))
         ask.setObjectName("Propose")
         ask.clicked.connect(self.ask)
         row = QtGui.QHBoxLayout()
@@ -36,7 +37,7 @@ class AdvisorBox(QtGui.QGroupBox):
             button.deleteLater()
         self.buttons = []
         try:
-            proposals = advisor.advise_operation(self.obj, self.array.currentText())
+            proposals = advisor.advise_operation(self.obj, self.array.currentData())
         except InputError as error:
             label = QtGui.QLabel(str(error))
             label.setTextFormat(QtCore.Qt.PlainText)
@@ -45,9 +46,9 @@ class AdvisorBox(QtGui.QGroupBox):
         for proposal in proposals:
             button = QtGui.QPushButton(proposal.changes)
             button.setToolTip(
-                translate("side {:.4f} mm, cross-feed {:.4f} mm, feed per tooth {:.4f} mm: {}").format(
-                    proposal.side, proposal.cross_feed, proposal.feed_per_tooth, proposal.state
-                )
+                translate(
+                    "PatchMill", "side {:.4f} mm, cross-feed {:.4f} mm, feed per tooth {:.4f} mm: {}"
+                ).format(proposal.side, proposal.cross_feed, proposal.feed_per_tooth, proposal.state)
             )
             button.setMinimumWidth(30)
             button.setStyleSheet("text-align: left")

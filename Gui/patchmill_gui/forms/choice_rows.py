@@ -8,20 +8,22 @@ from PySide import QtCore, QtGui
 from patchmill.machine import machines
 
 from patchmill_gui.forms.property_rows import Row, assign
+from patchmill_gui.forms.widgets import translate
 
 
 class ChoiceRow(Row):
     def __init__(self, name, obj):
         editor = QtGui.QComboBox()
-        editor.addItems(obj.getEnumerationsOfProperty(name))
+        for choice in obj.getEnumerationsOfProperty(name):
+            editor.addItem(translate("PatchMill", choice), choice)
         self.name = name
         super().__init__(editor, editor.currentIndexChanged)
 
     def show(self, obj):
-        self.editor.setCurrentText(getattr(obj, self.name))
+        self.editor.setCurrentIndex(self.editor.findData(getattr(obj, self.name)))
 
     def store(self, obj):
-        assign(obj, self.name, self.editor.currentText())
+        assign(obj, self.name, self.editor.currentData())
 
 
 class MachineBox(QtGui.QComboBox):
@@ -73,7 +75,8 @@ class MachineRow(Row):
 
     def __init__(self, name, obj):
         timed = hasattr(obj, "Strategy")  # a texture
-        editor = MachineBox(("(none: phase not judged)" if timed else "(none: no limits)", ""))
+        judged = translate("PatchMill", "(none: phase not judged)")
+        editor = MachineBox((judged if timed else translate("PatchMill", "(none: no limits)"), ""))
         self.name = name
         super().__init__(editor, editor.currentIndexChanged)
 
@@ -89,7 +92,7 @@ class ObjectRow(Row):
 
     def __init__(self, name, obj, fits=lambda other: hasattr(other, "Shape")):
         editor = QtGui.QComboBox()
-        editor.addItem("(none)", "")
+        editor.addItem(translate("PatchMill", "(none)"), "")
         for other in obj.Document.Objects:
             if fits(other) and other is not obj and obj not in other.OutListRecursive:
                 editor.addItem(other.Label, other.Name)

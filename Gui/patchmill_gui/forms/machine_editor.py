@@ -37,7 +37,7 @@ class MachineEditor(QtGui.QDialog):
 
     def __init__(self, key=None, parent=None):
         super().__init__(parent or FreeCADGui.getMainWindow())
-        self.setWindowTitle(translate("Machines"))
+        self.setWindowTitle(translate("PatchMill", "Machines"))
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.resize(620, 720)
         self.data = self.key = None
@@ -47,7 +47,9 @@ class MachineEditor(QtGui.QDialog):
 
     def _build(self):
         self.choice, self.tree = QtGui.QComboBox(), QtGui.QTreeWidget()
-        self.tree.setHeaderLabels([translate("What"), translate("Value"), translate("Unit")])
+        self.tree.setHeaderLabels(
+            [translate("PatchMill", "What"), translate("PatchMill", "Value"), translate("PatchMill", "Unit")]
+        )
         self.tree.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.tree.setAlternatingRowColors(True)
         self.where, self.message = QtGui.QLabel(), Notice()
@@ -56,17 +58,19 @@ class MachineEditor(QtGui.QDialog):
         self.buttons = {}
         row = QtGui.QHBoxLayout()
         for name, text, call in [
-            ("save", translate("Save"), self.save),
-            ("copy", translate("Save as …"), self._ask_copy),
-            ("import", translate("Import …"), self._ask_import),
-            ("remove", translate("Remove my file"), self.remove),
-            ("close", translate("Close"), self.reject),
+            ("save", translate("PatchMill", "Save"), self.save),
+            ("copy", translate("PatchMill", "Save as …"), self._ask_copy),
+            ("import", translate("PatchMill", "Import …"), self._ask_import),
+            ("remove", translate("PatchMill", "Remove my file"), self.remove),
+            ("close", translate("PatchMill", "Close"), self.reject),
         ]:
             button = self.buttons[name] = QtGui.QPushButton(text)
             button.setAutoDefault(False)
             button.clicked.connect(lambda checked=False, call=call: call())
             row.addWidget(button)
-        self.buttons["import"].setToolTip(translate("Reads the configuration of a LinuxCNC machine"))
+        self.buttons["import"].setToolTip(
+            translate("PatchMill", "Reads the configuration of a LinuxCNC machine")
+        )
         layout = QtGui.QVBoxLayout(self)
         for widget in (self.choice, self.where, self.tree, self.message):
             layout.addWidget(widget)
@@ -94,7 +98,11 @@ class MachineEditor(QtGui.QDialog):
             self._say(error)
             return
         own = machines.own(key)
-        self.where.setText(translate("Your own file.") if own else translate("Comes with PatchMill."))
+        self.where.setText(
+            translate("PatchMill", "Your own file.")
+            if own
+            else translate("PatchMill", "Comes with PatchMill.")
+        )
         self.buttons["remove"].setEnabled(own)
         self._fill()
         self._say(None)
@@ -107,7 +115,7 @@ class MachineEditor(QtGui.QDialog):
         for row in machine_table.rows(self.data):
             item = QtGui.QTreeWidgetItem(parents[row.place[: _depth(row.place, parents)]])
             item.setData(0, PLACE, row.place)
-            item.setText(0, row.label)
+            item.setText(0, translate("PatchMill", row.label))
             item.setText(2, "" if row.heading else row.unit)
             if row.heading:
                 parents[row.place] = item
@@ -163,14 +171,20 @@ class MachineEditor(QtGui.QDialog):
 
     def _ask_copy(self):
         name, good = QtGui.QInputDialog.getText(
-            self, translate("Save as"), translate("Name of the new machine file:"), text=self.key + "-mine"
+            self,
+            translate("PatchMill", "Save as"),
+            translate("PatchMill", "Name of the new machine file:"),
+            text=self.key + "-mine",
         )
         if good:
             self.save(name.strip())
 
     def _ask_import(self):
         name, _ = QtGui.QFileDialog.getOpenFileName(
-            self, translate("LinuxCNC configuration"), "", translate("LinuxCNC configuration") + " (*.ini)"
+            self,
+            translate("PatchMill", "LinuxCNC configuration"),
+            "",
+            translate("PatchMill", "LinuxCNC configuration") + " (*.ini)",
         )
         if name:
             self.import_from(name)
@@ -184,7 +198,9 @@ class MachineEditor(QtGui.QDialog):
             return
         self.key, self.data = machines.free_key(os.path.splitext(os.path.basename(filename))[0]), found.data
         self.choice.setCurrentIndex(-1)
-        begin = translate("From {}; to be saved as {}.").format(os.path.basename(filename), self.key)
+        begin = translate("PatchMill", "From {}; to be saved as {}.").format(
+            os.path.basename(filename), self.key
+        )
         self.where.setText("\n".join([begin, *found.remarks]))
         self.buttons["remove"].setEnabled(False)
         self._fill()
@@ -199,7 +215,9 @@ class MachineEditor(QtGui.QDialog):
     def reject(self):
         if self.changed:
             answer = QtGui.QMessageBox.question(
-                self, translate("Machines"), translate("Close without saving what was changed?")
+                self,
+                translate("PatchMill", "Machines"),
+                translate("PatchMill", "Close without saving what was changed?"),
             )
             if answer != QtGui.QMessageBox.Yes:
                 return

@@ -42,7 +42,7 @@ class PostDialog(QtGui.QDialog):
     def __init__(self, job, proposed):
         super().__init__(FreeCADGui.getMainWindow())
         self.setObjectName("PostDialog")
-        self.setWindowTitle(translate("Post and check {}").format(job.Label))
+        self.setWindowTitle(translate("PatchMill", "Post and check {}").format(job.Label))
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.job, self.proposed = job, proposed
         self.posted = None
@@ -52,25 +52,25 @@ class PostDialog(QtGui.QDialog):
     def _build(self):
         layout = QtGui.QVBoxLayout(self)
         rows = QtGui.QFormLayout()
-        rows.addRow(translate("Machine"), wrapping_label(self._machine()))
+        rows.addRow(translate("PatchMill", "Machine"), wrapping_label(self._machine()))
         self.post = QtGui.QComboBox()
         self.post.addItems(self._posts())
         self.post.setCurrentText(self.proposed.post)
         self.offset = QtGui.QComboBox()
         own = ", ".join(self.job.Fixtures)
         self.offset.addItems([own] + [name for name in OFFSETS if name != own])
-        rows.addRow(translate("Post-&processor"), self.post)
-        rows.addRow(translate("&Work offset"), self.offset)
-        rows.addRow(translate("Phase"), wrapping_label(self._verdict()))
-        rows.addRow(translate("Time"), wrapping_label(self._time()))
-        rows.addRow(translate("&File"), self._file_row())
+        rows.addRow(translate("PatchMill", "Post-&processor"), self.post)
+        rows.addRow(translate("PatchMill", "&Work offset"), self.offset)
+        rows.addRow(translate("PatchMill", "Phase"), wrapping_label(self._verdict()))
+        rows.addRow(translate("PatchMill", "Time"), wrapping_label(self._time()))
+        rows.addRow(translate("PatchMill", "&File"), self._file_row())
         layout.addLayout(rows)
         self.message = wrapping_label()
         self.message.setTextFormat(QtCore.Qt.PlainText)
         self.message.setMinimumWidth(420)
         layout.addWidget(self.message)
         self.buttons = QtGui.QDialogButtonBox()
-        self.ok = self.buttons.addButton(translate("Post"), QtGui.QDialogButtonBox.AcceptRole)
+        self.ok = self.buttons.addButton(translate("PatchMill", "Post"), QtGui.QDialogButtonBox.AcceptRole)
         self.buttons.addButton(QtGui.QDialogButtonBox.Close)
         self.buttons.accepted.connect(self.write)
         self.buttons.rejected.connect(self.reject)
@@ -83,17 +83,20 @@ class PostDialog(QtGui.QDialog):
     def _machine(self):
         machine = self.proposed.machine
         if machine is None:
-            return translate("none is named")
+            return translate("PatchMill", "none is named")
         return "%s (%s)" % (machine.data["name"], machine.key)
 
     def _verdict(self):
         verdicts = [plan.pacing.verdict for plan in self.proposed.plans]
-        said = [translate("not judged: no machine is named") if v is None else v.sentence for v in verdicts]
-        return "\n".join(said) or translate("no texture")
+        said = [
+            translate("PatchMill", "not judged: no machine is named") if v is None else v.sentence
+            for v in verdicts
+        ]
+        return "\n".join(said) or translate("PatchMill", "no texture")
 
     def _time(self):
         seconds = [plan.seconds for plan in self.proposed.plans]
-        return translate("{} for textures").format(duration(sum(seconds))) if seconds else "-"
+        return translate("PatchMill", "{} for textures").format(duration(sum(seconds))) if seconds else "-"
 
     def _file_row(self):
         row = QtGui.QHBoxLayout()
@@ -101,7 +104,7 @@ class PostDialog(QtGui.QDialog):
         self.file.setMinimumWidth(260)
         more = QtGui.QToolButton()
         more.setText("…")
-        more.setToolTip(translate("Choose the program's file"))
+        more.setToolTip(translate("PatchMill", "Choose the program's file"))
         more.clicked.connect(self._ask)
         row.addWidget(self.file)
         row.addWidget(more)
@@ -109,7 +112,7 @@ class PostDialog(QtGui.QDialog):
 
     def _ask(self):
         name, _ = QtGui.QFileDialog.getSaveFileName(
-            self, translate("Program"), self.file.text(), "*.ngc *.nc *.h *.mpf"
+            self, translate("PatchMill", "Program"), self.file.text(), "*.ngc *.nc *.h *.mpf"
         )
         if name:
             self.file.setText(name)
@@ -117,7 +120,7 @@ class PostDialog(QtGui.QDialog):
     def write(self):
         """Posts. What is chosen is kept by the job, in one step of undo."""
         name, document = self.file.text().strip(), self.job.Document
-        document.openTransaction(translate("Post"))
+        document.openTransaction(translate("PatchMill", "Post"))
         try:
             with busy_cursor():  # FreeCAD's post-processors work in the GUI thread
                 self._keep()
@@ -147,5 +150,7 @@ def what_was_written(name, posted):
     """A sentence about what patchmill.post returned."""
     unread = ["%s: %s" % (one.operation.Label, one.unknown) for one in posted if getattr(one, "unknown", "")]
     if unread:
-        return translate("{} was written. Not compared with the path: {}.").format(name, "; ".join(unread))
-    return translate("{} was written, read back and holds the plan.").format(name)
+        return translate("PatchMill", "{} was written. Not compared with the path: {}.").format(
+            name, "; ".join(unread)
+        )
+    return translate("PatchMill", "{} was written, read back and holds the plan.").format(name)

@@ -21,11 +21,11 @@ from patchmill_gui.forms.property_rows import (
     VectorRow,
     WholeRow,
 )
-from patchmill_gui.forms.widgets import Notice, guard_editors, let_shrink
+from patchmill_gui.forms.widgets import Notice, guard_editors, let_shrink, translate
 
 
 class Group(QtGui.QWidget):
-    """A heading that opens and closes the rows below it."""
+    """A heading that opens and closes the rows below it. `title` is marked for translation."""
 
     def __init__(self, title, is_open):
         super().__init__()
@@ -33,7 +33,7 @@ class Group(QtGui.QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(2)
         self.heading = QtGui.QToolButton()
-        self.heading.setText(title)
+        self.heading.setText(translate("PatchMill", title))
         self.heading.setObjectName("Group" + title)
         self.heading.setCheckable(True)
         self.heading.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
@@ -77,10 +77,10 @@ class PropertyForm(QtCore.QObject):
     def _add(self, row, name, group, tip):
         if group not in self.groups:
             self.groups[group] = Group(group, group not in self.closed)
-        label = QtGui.QLabel(label_of(name))
+        label = QtGui.QLabel(translate("PatchMill", label_of(name)))
         label.setWordWrap(True)
         for widget in (label, row.editor):
-            widget.setToolTip(tip)
+            widget.setToolTip(translate("App::Property", tip))
         row.editor.setObjectName(name)
         let_shrink(row.editor)
         guard_editors(row.editor)

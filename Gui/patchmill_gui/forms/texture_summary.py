@@ -29,7 +29,7 @@ def _counts(counts):
     colours = core.state_colours()
     parts = [
         '<span style="color:rgb(%d,%d,%d)">\u25a0</span>&nbsp;%s:&nbsp;%s'
-        % (*colours[name], translate(name), grouped(number))
+        % (*colours[name], translate("PatchMill", name), grouped(number))
         for name, number in counts.items()
         if number
     ]
@@ -39,7 +39,7 @@ def _counts(counts):
 def placed_summary(placed):
     """Of a PlacedTexture."""
     counts = dict(placed.dimples.counts())
-    head = translate("{} dimples in {} patches").format(
+    head = translate("PatchMill", "{} dimples in {} patches").format(
         grouped(counts["cut"]), grouped(len(placed.free or placed.division))
     )
     lines = ["<b>%s</b>" % head, _counts(counts), *map(html.escape, placed.remarks)]
@@ -52,7 +52,7 @@ def planned_summary(planned):
     turns = statistics["cut_turns"] / max(1, planned.counts["cut"])
     lines = [
         placed_summary(planned),
-        translate("{} of milling, {:.2f} turns per dimple").format(
+        translate("PatchMill", "{} of milling, {:.2f} turns per dimple").format(
             duration(planned.seconds), turns
         ),
     ]

@@ -15,9 +15,10 @@ from PySide import QtCore, QtGui
 GOOD_COLOUR, DOUBT_COLOUR, ERROR_COLOUR = "#2e7d32", "#8a5a00", "#b71c1c"
 
 
-def translate(text):
-    """`text` in the language of FreeCAD's interface."""
-    return Qt.translate("PatchMill", text)
+def translate(context, text):
+    """`text` in the language of FreeCAD's interface. Both are literals, or marked by QT_TRANSLATE_NOOP where
+    they are written: Qt's lupdate finds them so (tools/translations)."""
+    return Qt.translate(context, text)
 
 
 def let_shrink(editor):
@@ -118,7 +119,7 @@ class ProgressBar(QtGui.QProgressBar):
         """`share` of the work is done, 0 to 1; about so many seconds are left."""
         self.setRange(0, 1000)
         self.setValue(int(1000 * share))
-        self.setFormat(translate("%p % · {:.0f} s left").format(seconds))
+        self.setFormat(translate("PatchMill", "%p % · {:.0f} s left").format(seconds))
         self.show()
 
 

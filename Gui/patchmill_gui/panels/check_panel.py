@@ -17,12 +17,12 @@ class CheckPanel(WorkPanel):
     """Task panel for a texture operation; the check starts at once."""
 
     def __init__(self, operation):
-        super().__init__(translate("Check {}").format(operation.Label), operation)
+        super().__init__(translate("PatchMill", "Check {}").format(operation.Label), operation)
         self.root = scene_of(operation)
         self.marks = coin.SoSeparator()
         self.root.addChild(self.marks)
         self.add_progress()
-        self.text.setText(translate("Checking …"))
+        self.text.setText(translate("PatchMill", "Checking …"))
         self.bar.begin()
         given = checks.check_input(operation)
         self.work.start(lambda progress: checks.run_check(given, progress=progress))

@@ -73,10 +73,10 @@ def _summary(made):
     """What there is to say of a CopiedPath."""
     seconds = made.seconds
     ridge = core.scallop_height(made.path.tool.radius, made.asked.last_radial)
-    text = translate("{} moves, {} of milling, ridges of {} on a flat").format(
+    text = translate("PatchMill", "{} moves, {} of milling, ridges of {} on a flat").format(
         grouped(len(made.path)), duration(seconds), FreeCAD.Units.Quantity(ridge, "mm").UserString
     )
-    return "<br>".join([text, *(translate(remark) for remark in copy_milling.remarks(made))])
+    return "<br>".join([text, *(translate("PatchMill", remark) for remark in copy_milling.remarks(made))])
 
 
 class CopyView(OperationView):

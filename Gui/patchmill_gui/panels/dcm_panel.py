@@ -36,7 +36,7 @@ class DcmPanel(Computing):
         self.view_document = obj.ViewObject.Document
         self.legend = LegendPlace(obj)
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(translate("DCM modifier"))
+        self.form.setWindowTitle(translate("PatchMill", "DCM modifier"))
         self.form.setWindowIcon(QtGui.QIcon(icon("PatchMill_DressupDcm")))
         layout = QtGui.QVBoxLayout(self.form)
         self.form_rows = PropertyForm(dressup_dcm.PROPERTIES, obj, closed=("Limits",))
@@ -61,33 +61,33 @@ class DcmPanel(Computing):
         self.form_rows.show_only(set(self.form_rows.rows) - idle_dcm_properties(self.obj))
 
     def _slice_box(self):
-        box = QtGui.QGroupBox(translate("Slice through the voxels"))
+        box = QtGui.QGroupBox(translate("PatchMill", "Slice through the voxels"))
         rows = QtGui.QFormLayout(box)
         self.axis, self.what = QtGui.QComboBox(), QtGui.QComboBox()
-        self.axis.addItems([translate("across {}").format(a) for a in AXES])
+        self.axis.addItems([translate("PatchMill", "across {}").format(a) for a in AXES])
         self.axis.setCurrentIndex(1)
         for key, name in (
-            ("feed", translate("Feed")),
-            ("tilt", translate("Posture")),
-            ("distance", translate("Distance to the product")),
-            ("material", translate("Material")),
-            ("none", translate("None")),
+            ("feed", translate("PatchMill", "Feed")),
+            ("tilt", translate("PatchMill", "Posture")),
+            ("distance", translate("PatchMill", "Distance to the product")),
+            ("material", translate("PatchMill", "Material")),
+            ("none", translate("PatchMill", "None")),
         ):
             self.what.addItem(name, key)
         self.what.setObjectName("SliceOf")
         self.place = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.place.setRange(0, SLIDER_STEPS)
         self.place.setValue(SLIDER_STEPS // 2)
-        self.arrows = QtGui.QCheckBox(translate("Posture as arrows"))
+        self.arrows = QtGui.QCheckBox(translate("PatchMill", "Posture as arrows"))
         for editor in (self.axis, self.what):
             let_shrink(editor)
             guard_editors(editor)
             editor.currentIndexChanged.connect(lambda _: self.show_slice())
         self.place.valueChanged.connect(lambda _: self.show_slice())
         self.arrows.toggled.connect(lambda _: self.show_arrows())
-        rows.addRow(translate("Colour"), self.what)
-        rows.addRow(translate("Slice"), self.axis)
-        rows.addRow(translate("At"), self.place)
+        rows.addRow(translate("PatchMill", "Colour"), self.what)
+        rows.addRow(translate("PatchMill", "Slice"), self.axis)
+        rows.addRow(translate("PatchMill", "At"), self.place)
         rows.addRow(self.arrows)
         return box
 
@@ -110,7 +110,7 @@ class DcmPanel(Computing):
         model, made, _, display, _ = result
         self.scene.show(display)
         self.box.text.setText(
-            translate("{} moves, {} of milling instead of {}").format(
+            translate("PatchMill", "{} moves, {} of milling instead of {}").format(
                 grouped(made.steps["moves"]), duration(made.seconds), duration(made.base_seconds)
             )
         )
@@ -189,13 +189,16 @@ def _slice_of(what, model, feed, limits, axis, place):
         unit, factor = user_unit("mm/s")
         low, high = factor * limits[0] * min(model.factors), factor * limits[1] * max(model.factors)
         digits = 0 if high >= 50.0 else 2
-        return (translate("feed [{}]").format(unit), low, high, digits), (centres, factor * values)
+        return (translate("PatchMill", "feed [{}]").format(unit), low, high, digits), (
+            centres,
+            factor * values,
+        )
     if what == "tilt":
-        return (translate("tilt [°]"), 0.0, 90.0), voxel_slices.tilt_slice(model, axis, place)
+        return (translate("PatchMill", "tilt [°]"), 0.0, 90.0), voxel_slices.tilt_slice(model, axis, place)
     if what == "distance":
         centres, values = voxel_slices.distance_slice(model, axis, place)
         unit, factor = user_unit("mm")
-        title = translate("distance [{}]").format(unit)
+        title = translate("PatchMill", "distance [{}]").format(unit)
         return (title, 0.0, factor * max(values, default=1.0), 2), (centres, factor * np.asarray(values))
     names = ", ".join("%d %s" % pair for pair in enumerate(model.material_names))
     last = max(1, len(model.material_names) - 1)

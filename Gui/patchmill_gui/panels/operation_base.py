@@ -145,11 +145,11 @@ class OperationPage(NativePage):
         form.toolController, form.coolantController = QtGui.QComboBox(), QtGui.QComboBox()
         rows = QtGui.QFormLayout()
         for text, combo in (
-            ("Tool controller", form.toolController),
-            ("Coolant", form.coolantController),
+            (translate("PatchMill", "Tool controller"), form.toolController),
+            (translate("PatchMill", "Coolant"), form.coolantController),
         ):
             let_shrink(combo)
-            rows.addRow(translate(text), combo)
+            rows.addRow(text, combo)
         layout.addLayout(rows)
         self.properties = PropertyForm(table, self.obj, closed)
         return form, layout

@@ -58,7 +58,7 @@ class PlayerPanel(ClosePanel):
     """Task panel. `path` is the ToolPath of the document object `operation`."""
 
     def __init__(self, operation, path):
-        super().__init__(translate("Play"), operation)
+        super().__init__(translate("PatchMill", "Play"), operation)
         self.line = Timeline(path)
         self.operation = operation
         self.moment = 0.0
@@ -76,7 +76,7 @@ class PlayerPanel(ClosePanel):
         self.slider.setRange(0, STEPS)
         self.slider.setObjectName("Moment")
         self.slider.valueChanged.connect(self._slid)
-        self.play = QtGui.QPushButton(translate("Play"))
+        self.play = QtGui.QPushButton(translate("PatchMill", "Play"))
         self.play.setObjectName("Play")
         self.play.setCheckable(True)
         self.play.toggled.connect(self._toggled)
@@ -128,12 +128,14 @@ class PlayerPanel(ClosePanel):
         self.slider.blockSignals(False)
         dimple = self.line.dimples[move]
         self.text.setText(
-            translate("{} of {}\nmove {} of {}{}\nX {:.3f}  Y {:.3f}  Z {:.3f}\nspindle {:.0f}°").format(
+            translate(
+                "PatchMill", "{} of {}\nmove {} of {}{}\nX {:.3f}  Y {:.3f}  Z {:.3f}\nspindle {:.0f}°"
+            ).format(
                 _clock(self.moment),
                 _clock(self.line.seconds),
                 grouped(move + 1),
                 grouped(len(self.line.turns)),
-                translate(", to dimple {}").format(grouped(int(dimple))) if dimple >= 0 else "",
+                translate("PatchMill", ", to dimple {}").format(grouped(int(dimple))) if dimple >= 0 else "",
                 *tip,
                 math.degrees(angle) % 360.0,
             )

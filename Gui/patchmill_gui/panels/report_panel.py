@@ -39,7 +39,7 @@ class ReportPanel(WorkPanel):
     """Task panel; starts at once. `result`: the names of the files."""
 
     def __init__(self, operation, folder):
-        super().__init__(translate("Report"), operation)
+        super().__init__(translate("PatchMill", "Report"), operation)
         self.text.setOpenExternalLinks(True)
         self.add_progress()
         try:
@@ -47,7 +47,7 @@ class ReportPanel(WorkPanel):
         except InputError as error:
             self.show_error(error)
         else:
-            self.text.setText(translate("Simulating and drawing …"))
+            self.text.setText(translate("PatchMill", "Simulating and drawing …"))
             self.bar.begin()
             self.work.start(work)
 
@@ -56,6 +56,6 @@ class ReportPanel(WorkPanel):
         self.bar.hide()
         (page,) = [name for name in files if name.endswith(".html")]
         url = QtCore.QUrl.fromLocalFile(page).toString()
-        link = '<a href="%s">%s</a>' % (html.escape(url), translate("Open the report"))
+        link = '<a href="%s">%s</a>' % (html.escape(url), translate("PatchMill", "Open the report"))
         rest = "<br>".join(html.escape(os.path.basename(name)) for name in files)
         self.text.setText("%s<br>%s" % (link, rest))

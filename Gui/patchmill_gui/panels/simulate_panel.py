@@ -23,19 +23,19 @@ class SimulatePanel(WorkPanel):
     """Task panel for a texture operation. The relief stays displayed when it closes."""
 
     def __init__(self, operation):
-        super().__init__(translate("Simulate marks"), operation)
+        super().__init__(translate("PatchMill", "Simulate marks"), operation)
         self.operation = operation
         self.plan = planned(operation)
         self.scene = operation.ViewObject.Proxy.scene
         self.legend = LegendPlace(operation)
         self.layout.addLayout(self._rows())
-        self.button = QtGui.QPushButton(translate("Simulate"))
+        self.button = QtGui.QPushButton(translate("PatchMill", "Simulate"))
         self.button.setObjectName("Simulate")
         self.button.clicked.connect(self.simulate)
         self.layout.addWidget(self.button)
-        self.saving = QtGui.QPushButton(translate("Save relief …"))
+        self.saving = QtGui.QPushButton(translate("PatchMill", "Save relief …"))
         self.saving.setObjectName("SaveRelief")
-        self.saving.setToolTip(translate("As a height map or a mesh, or the dimples as a table"))
+        self.saving.setToolTip(translate("PatchMill", "As a height map or a mesh, or the dimples as a table"))
         self.saving.setEnabled(False)
         self.saving.clicked.connect(self.save)
         self.layout.addWidget(self.saving)
@@ -47,16 +47,18 @@ class SimulatePanel(WorkPanel):
         self.size = NumberBox()
         self.size.setRange(0.0, 1e4)
         self.size.setSuffix(" mm")
-        self.size.setSpecialValueText(translate("whole texture"))
+        self.size.setSpecialValueText(translate("PatchMill", "whole texture"))
         self.size.setValue(round(20.0 * self.plan.input.spacing, 2))
         self.size.setObjectName("WindowSize")
-        self.machine = MachineBox((translate("as planned"), None), translate("as {} would run it").format)
+        self.machine = MachineBox(
+            (translate("PatchMill", "as planned"), None), translate("PatchMill", "as {} would run it").format
+        )
         self.runout = NumberBox()
         self.runout.setSuffix(" µm")
-        self.runout.setToolTip(translate("How far the first flute stands out"))
-        rows.addRow(translate("Window"), self.size)
-        rows.addRow(translate("Motion"), self.machine)
-        rows.addRow(translate("Runout"), self.runout)
+        self.runout.setToolTip(translate("PatchMill", "How far the first flute stands out"))
+        rows.addRow(translate("PatchMill", "Window"), self.size)
+        rows.addRow(translate("PatchMill", "Motion"), self.machine)
+        rows.addRow(translate("PatchMill", "Runout"), self.runout)
         for editor in (self.size, self.machine, self.runout):
             let_shrink(editor)
             guard_editors(editor)
@@ -88,14 +90,14 @@ class SimulatePanel(WorkPanel):
             )
             return result and (result, relief_of(result))
 
-        self.button.setText(translate("Cancel"))
+        self.button.setText(translate("PatchMill", "Cancel"))
         self.saving.setEnabled(False)
         self.text.clear()
         self.bar.begin()
         self.work.start(run)
 
     def _idle(self):
-        self.button.setText(translate("Simulate"))
+        self.button.setText(translate("PatchMill", "Simulate"))
         self.bar.hide()
 
     def show_error(self, error):
@@ -111,9 +113,10 @@ class SimulatePanel(WorkPanel):
         self.result, (displays, low, high) = made
         self.scene.show(displays)
         self.operation.ViewObject.Show = RELIEF
-        self.legend.show(translate("height over the faces [µm]"), low, high)
+        self.legend.show(translate("PatchMill", "height over the faces [µm]"), low, high)
         cells = "".join(
-            "<tr><td>%s </td><td><b>%s</b></td></tr>" % (html.escape(name), html.escape(value))
+            "<tr><td>%s </td><td><b>%s</b></td></tr>"
+            % (html.escape(translate("PatchMill", name)), html.escape(value))
             for name, value in self.result.rows()
         )
         self.text.setText("<table>%s</table>" % cells)
@@ -122,12 +125,15 @@ class SimulatePanel(WorkPanel):
     def save(self):
         """Asks for a file and writes the relief shown last, or its table of dimples."""
         kinds = (
-            translate("Height map") + " (*.x3p *.sdf *.gsf *.tif *.exr *.csv *.vti)",
-            translate("Mesh") + " (*.stl *.ply)",
-            translate("Table of dimples") + " (*.dimples.csv)",
+            translate("PatchMill", "Height map") + " (*.x3p *.sdf *.gsf *.tif *.exr *.csv *.vti)",
+            translate("PatchMill", "Mesh") + " (*.stl *.ply)",
+            translate("PatchMill", "Table of dimples") + " (*.dimples.csv)",
         )
         name, _ = QtGui.QFileDialog.getSaveFileName(
-            FreeCADGui.getMainWindow(), translate("Relief"), self.operation.Label + ".x3p", ";;".join(kinds)
+            FreeCADGui.getMainWindow(),
+            translate("PatchMill", "Relief"),
+            self.operation.Label + ".x3p",
+            ";;".join(kinds),
         )
         if not name:
             return

@@ -93,7 +93,7 @@ class Advising(QtCore.QObject):
         if key == self._chosen_for:
             return False
         self._chosen_for = key
-        self.head.busy(translate("Looking for good values …"))
+        self.head.busy(translate("PatchMill", "Looking for good values …"))
         free = apply.controller_is_free(self.obj)
         self.choosing.start(lambda progress: choose(given, free, progress))
         return True
@@ -119,7 +119,7 @@ class Advising(QtCore.QObject):
         self.assessing.cancel()
         self.helping.cancel()
         if not self.choosing.busy:
-            self.head.busy(translate("Computing …"))
+            self.head.busy(translate("PatchMill", "Computing …"))
 
     def assess(self, planned):
         """Begins to find out how good a PlannedTexture is."""
@@ -158,12 +158,12 @@ class Advising(QtCore.QObject):
         chosen = self._choice is not None and all(
             getattr(given, name) == value for name, value in self._choice.fields.items()
         )
-        self.head.note(translate("Looking for what helps …"))
+        self.head.note(translate("PatchMill", "Looking for what helps …"))
         finder = remedies.Finder(assess, choose, free, can_incline, chosen)
         self.helping.start(lambda progress: finder.find(given, progress))
 
     def _helped(self, found):
-        self.head.note("" if found else translate("Nothing that was tried makes it better."))
+        self.head.note("" if found else translate("PatchMill", "Nothing that was tried makes it better."))
         self.head.offer(found or [])
 
     def _take(self, remedy):
@@ -184,7 +184,7 @@ class Advising(QtCore.QObject):
             if not obj.SameFlute and obj.ExtraTurns == 0.0:
                 return False
             obj.SameFlute, obj.ExtraTurns = False, 0.0
-            self.notes = [translate("Set for this strategy: any flute, no extra turns.")]
+            self.notes = [translate("PatchMill", "Set for this strategy: any flute, no extra turns.")]
             return True
         if polygons and not before_polygons:
             same, turns = self._before or (obj.ToolController.Tool.Flutes < 2, 1.0)

@@ -42,7 +42,7 @@ class Head(QtGui.QFrame):
         self.buttons = []
         self.state = None
         self._area = self._margins = None
-        self.busy(translate("Looking for good values …"))
+        self.busy(translate("PatchMill", "Looking for good values …"))
 
     def _say(self, state, sentence):
         self.state = state
@@ -63,16 +63,17 @@ class Head(QtGui.QFrame):
         """`found`: an Assessment; `seconds` of milling; `verdict`: a _patchmill.Verdict, or None where no
         machine was named; `notes`: sentences that the user should read."""
         lines = [
-            "<b>%s</b> · %s" % (translate("{} dimples").format(grouped(found.dimples)), duration(seconds))
+            "<b>%s</b> · %s"
+            % (translate("PatchMill", "{} dimples").format(grouped(found.dimples)), duration(seconds))
         ]
         if found.patches:
-            arrays = sorted({patch.array for patch in found.patches if patch.array})
+            arrays = sorted({translate("PatchMill", patch.array) for patch in found.patches if patch.array})
             lines.append(
-                translate("quality {} of patches at {}° to {}°: {}").format(
+                translate("PatchMill", "quality {} of patches at {}° to {}°: {}").format(
                     " · ".join("%.2f" % patch.quality for patch in found.patches),
                     "%.0f" % found.patches[0].tilt,
                     "%.0f" % found.patches[-1].tilt,
-                    ", ".join(arrays) or translate("none"),
+                    ", ".join(arrays) or translate("PatchMill", "none"),
                 )
             )
         lines += list(notes)
@@ -100,7 +101,7 @@ class Head(QtGui.QFrame):
             button.setObjectName("Fix" + remedy.kind.title().replace(" ", ""))
             button.setStyleSheet("text-align: left; padding: 3px")
             button.setMinimumWidth(30)
-            button.setToolTip(translate("Tried: this is what it gives"))
+            button.setToolTip(translate("PatchMill", "Tried: this is what it gives"))
             button.clicked.connect(lambda *_, chosen=remedy: self.taken.emit(chosen))
             self.fixes.addWidget(button)
             self.buttons.append(button)
@@ -161,13 +162,13 @@ def _verdict(found, verdict):
     if verdict is not None and verdict.holding not in ("holds", "unknown"):
         return RED, verdict.sentence
     if not found.patches:
-        return AMBER, translate("Not simulated")
+        return AMBER, translate("PatchMill", "Not simulated")
     share = "%.0f %%" % (100.0 * found.good_fraction)
     if found.good_fraction >= GOOD_FRACTION and verdict is not None:
-        return GREEN, translate("Good: {} of the faces as planned").format(share)
+        return GREEN, translate("PatchMill", "Good: {} of the faces as planned").format(share)
     if found.good_fraction >= GOOD_FRACTION:
-        return AMBER, translate("Good if the machine holds the phase: choose a machine to know")
-    short = translate("{} of the faces good; {} left out").format(
+        return AMBER, translate("PatchMill", "Good if the machine holds the phase: choose a machine to know")
+    short = translate("PatchMill", "{} of the faces good; {} left out").format(
         share, "%.0f %%" % (100.0 * (1.0 - found.milled_fraction))
     )
     return (AMBER if found.good_fraction > 0.5 else RED), short
@@ -177,11 +178,11 @@ def remedy_text(remedy):
     """What a remedy does and gives, as its button says it."""
     found = remedy.assessment
     what = {
-        "incline": translate("Incline the part {:.0f}°").format(remedy.angle),
-        "lean": translate("Lean the tool {:.0f}°").format(remedy.angle),
-        "leave out": translate("Leave out what is too flat"),
-        "values": translate("Take the values that suit"),
+        "incline": translate("PatchMill", "Incline the part {:.0f}°").format(remedy.angle),
+        "lean": translate("PatchMill", "Lean the tool {:.0f}°").format(remedy.angle),
+        "leave out": translate("PatchMill", "Leave out what is too flat"),
+        "values": translate("PatchMill", "Take the values that suit"),
     }[remedy.kind]
-    return translate("{}: {:.0f} % good, {}").format(
+    return translate("PatchMill", "{}: {:.0f} % good, {}").format(
         what, 100.0 * found.good_fraction, duration(found.seconds)
     )

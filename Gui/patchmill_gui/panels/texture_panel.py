@@ -11,6 +11,7 @@ import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
 from patchmill.freecad import preferences
+from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from patchmill.operations.texture_operation import prepare
 from patchmill.textures.plan import place_texture
 from PySide import QtCore, QtGui
@@ -31,11 +32,11 @@ PLACE_AFTER_MS, PLAN_AFTER_MS = 10, 400
 MAIN = "Pattern"
 MAIN_ROWS = ("PatchShape", "Spacing", "Depth", "Margin", "MaskUse", "Machine", "ToolAxisMode", "Strategy")
 PREVIEWS = (
-    ("dimples", "Dimples"),
-    ("outlines", "Patches"),
-    ("order", "Order"),
-    ("axes", "Tool axes"),
-    ("relief", "Relief"),
+    ("dimples", QT_TRANSLATE_NOOP("PatchMill", "Dimples")),
+    ("outlines", QT_TRANSLATE_NOOP("PatchMill", "Patches")),
+    ("order", QT_TRANSLATE_NOOP("PatchMill", "Order")),
+    ("axes", QT_TRANSLATE_NOOP("PatchMill", "Tool axes")),
+    ("relief", QT_TRANSLATE_NOOP("PatchMill", "Relief")),
 )
 
 
@@ -76,12 +77,12 @@ class TexturePage(OperationPage):
         self.properties.changed.emit()
 
     def _preview_box(self):
-        box = QtGui.QGroupBox(translate("Preview"))
+        box = QtGui.QGroupBox(translate("PatchMill", "Preview"))
         layout = QtGui.QVBoxLayout(box)
         grid = QtGui.QGridLayout()
         self.previews = {}
         for place, (part, text) in enumerate(PREVIEWS):
-            check = QtGui.QCheckBox(translate(text))
+            check = QtGui.QCheckBox(translate("PatchMill", text))
             check.setObjectName("Preview" + part.capitalize())
             check.setChecked(part in ("dimples", "outlines", "relief"))
             grid.addWidget(check, place // 2, place % 2)

@@ -120,11 +120,11 @@ class ViewProvider(OperationView):
     def setupContextMenu(self, vobj, menu):
         super().setupContextMenu(vobj, menu)
         for text, command in (
-            ("Play the path", "PatchMill_Play"),
-            ("Simulate marks", "PatchMill_Simulate"),
-            ("Report", "PatchMill_Report"),
+            (translate("PatchMill", "Play the path"), "PatchMill_Play"),
+            (translate("PatchMill", "Simulate marks"), "PatchMill_Simulate"),
+            (translate("PatchMill", "Report"), "PatchMill_Report"),
         ):
-            action = QtGui.QAction(translate(text), menu)
+            action = QtGui.QAction(text, menu)
             action.triggered.connect(lambda *_, name=command: _run_on(vobj.Object, name))
             menu.addAction(action)
 

@@ -18,9 +18,9 @@ class ComputingBox(QtGui.QGroupBox):
     """Preview button, progress bar with the time left, what was found, and what is wrong."""
 
     def __init__(self):
-        super().__init__(translate("Result"))
+        super().__init__(translate("PatchMill", "Result"))
         layout = QtGui.QVBoxLayout(self)
-        self.button = QtGui.QPushButton(translate("Preview"))
+        self.button = QtGui.QPushButton(translate("PatchMill", "Preview"))
         self.button.setObjectName("Preview")
         self.bar, self.text, self.message = ProgressBar(), wrapping_label(), Notice()
         for widget in (self.button, self.bar, self.text, self.message):
@@ -66,7 +66,7 @@ class Computing:
         except InputError as error:
             self._failed(error)
             return
-        self.box.button.setText(translate("Cancel"))
+        self.box.button.setText(translate("PatchMill", "Cancel"))
         self.box.bar.begin(known=False)
         self.work.start(work)
 
@@ -84,7 +84,7 @@ class Computing:
         return self.cancel() and waiting
 
     def _idle(self):
-        self.box.button.setText(translate("Preview"))
+        self.box.button.setText(translate("PatchMill", "Preview"))
         self.box.bar.hide()
 
     def _computed(self, result):

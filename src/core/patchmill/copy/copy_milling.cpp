@@ -21,6 +21,7 @@ constexpr double kLargestRadius = 1e4;
 
 void require_valid(const CopyOptions& o) {
   require_positive("tool radius", o.tool.radius, "mm");
+  require_in_range("tool radius", o.tool.radius, 0.0, kLargestRadius, "mm");
   require_valid(o.tool);
   if (o.mode == CopyMode::ScanningUndercut) require_ball(o.tool, "undercuts are scanned");
   require_positive("spindle speed", o.spindle.speed, "1/s");

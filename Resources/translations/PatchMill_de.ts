@@ -1,0 +1,2269 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>Distance of neighbouring dimples; 0: from the other sizes</source>
+        <translation>Abstand benachbarter Mulden; 0: aus den anderen Größen</translation>
+    </message>
+    <message>
+        <source>Overlapping: the dimples&apos; bottoms are the faces; isolated: the faces stay between dimples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of the dimples; 0: from the other sizes</source>
+        <translation>Tiefe der Mulden; 0: aus den anderen Größen</translation>
+    </message>
+    <message>
+        <source>Diameter of a dimple&apos;s rim; 0: from the other sizes</source>
+        <translation>Durchmesser des Randes einer Mulde; 0: aus den anderen Größen</translation>
+    </message>
+    <message>
+        <source>Share of the faces that isolated dimples take up, 0 to 1; 0: from the other sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of what stays between neighbouring dimples; 0: from the other sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Projected: spacing kept as seen along the projection; on surface: kept along the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape of the patches: squares and rectangles on a square lattice, the others on a triangular one</source>
+        <translation>Form der Felder: Quadrate und Rechtecke auf einem quadratischen Gitter, die anderen auf einem dreieckigen</translation>
+    </message>
+    <message>
+        <source>Dimples along the side of a square or triangle; radius of a hexagon in dimples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dimples along the other side of a patch whose sides may differ; 0: as the first side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patches along X; 0 covers the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patches along Y; 0 covers the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mill each patch from its outline inwards, or from its centre outwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin all patches at the same corner, or at the corner nearest to the patch before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mill patch by patch along helices, or in rows of the lattice</source>
+        <translation>Feld für Feld entlang von Spiralen fräsen, oder in Zeilen des Gitters</translation>
+    </message>
+    <message>
+        <source>Rows run over the whole face, across the borders of patches, or inside each patch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of the lattice that rows go along: the one of the least time (each is planned), the one nearest to the texture&apos;s X or Y, or the one along which the faces bend least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mill all rows in the same sense; otherwise to and fro</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the patch, in milling order, with which the program begins; 1: all are milled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin each patch with a comment that has its number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction in which the texture is projected on the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project on the faces from the side on which they look largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotation of the texture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre the texture on the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of the texture, if not automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dimples where the face is steeper than this to the projection are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dimples where the tool axis is nearer to the normal than this are left out: the tip rubs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave out dimples in which the tip of the ball, which does not cut, would rub</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dimples nearer than this to the border of the faces are left out</source>
+        <translation>Mulden, die näher am Rand der Flächen liegen, werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>Patches with fewer dimples than this on the faces are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a picture or closed curves do: leave dimples out, thin them, or set their depth</source>
+        <translation>Was ein Bild oder geschlossene Kurven tun: Mulden auslassen, ausdünnen oder ihre Tiefe bestimmen</translation>
+    </message>
+    <message>
+        <source>Picture: white is milled, black is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sketches or wires: inside is milled, outside is not; used if there is no picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change black for white, inside for outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the picture on the texture plane; 0: as large as fits the faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of the picture from the texture&apos;s own, along its X and Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grey below which dimples are left out, 0 (black) to 1 (white)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of dimples where it is black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of dimples where it is white</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the spindle&apos;s phase is kept</source>
+        <translation>Wie die Phase der Spindel gehalten wird</translation>
+    </message>
+    <message>
+        <source>Name of the machine file; empty: unknown</source>
+        <translation>Name der Maschinendatei; leer: unbekannt</translation>
+    </message>
+    <message>
+        <source>Post even if the machine cannot hold the phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ball and flutes may cut so deep below the model, besides the texture itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shank and holder must keep so far away from the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the tool stands out of its holder; 0: the tool bit&apos;s length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the holder, for the collision check; 0: no holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the holder, for the collision check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Post even if the tool gouges or collides, or if that is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fixed axis, surface normal with lead and tilt, fixed axis but leaned away from the normal, or field</source>
+        <translation>Feste Achse, Flächennormale mit Voreil- und Seitenwinkel, feste Achse mit Abstand von der Normalen, oder Feld</translation>
+    </message>
+    <message>
+        <source>Direction from the tip to the holder; other than Z it needs rotary axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lean from the normal towards the feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lean from the normal to the left of the feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least angle between tool axis and normal, so that the tip does not cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction that the lead leans towards instead of the feed; zero: the feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DCM modifier whose voxel model gives the axes; none: the job&apos;s stock less its model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side of a voxel if no modifier is named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By how much an axis may be drawn towards its neighbours&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest angle of the axis to Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle-locked rows keep one axis; greatest angle between it and the one asked for (half of it is used to turn less from row to row)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the controller keeps the tool point (TCP), or the program is referred to the pivots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length from the spindle&apos;s gauge point to the tip, for tilting heads without TCP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clearance of paced paths between rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One flute makes all dimples</source>
+        <translation>Eine Schneide macht alle Mulden</translation>
+    </message>
+    <message>
+        <source>Spindle turns added between dimples</source>
+        <translation>Zwischen Mulden eingefügte Umdrehungen der Spindel</translation>
+    </message>
+    <message>
+        <source>Angle added per dimple, for calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decimals of the posted coordinates; must be the post&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest phase error of the posted program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each patch&apos;s plane fits its dimples on the faces best, or goes through its corners there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lattice: dimples are placed; free: marks fall as side, cross-feed and feed make them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side of the patches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of marks along the path; 0: from the tool controller&apos;s feed and spindle speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1: corners and apex on the faces; 0: flat; other values exaggerate or invert the pyramid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to the height of each apex</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines in planes along X, or contours at levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers from the stock, the last pass, or both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last pass&apos;s; 0: as the others&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left by roughing for the last pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the path from the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is taken from the voxel model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side of a voxel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed at the product&apos;s surface, V_Lo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed at the skin of the stock, V_Hi</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed where nothing is left to cut; 0: as elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves that go down steeply never get faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other materials in the stock: &apos;name factor where&apos;, a factor on the feed, and a depth in mm below the stock&apos;s surface or the name of a solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the values at the skin of the stock are held, or are only where diffusion begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the feed: to its steady state, or for a time as in the paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a transient diffusion, in seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a transient diffusion, in mm^2/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Divide a time step that is too long for the voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diffuse the two angles (as in the paper) or the unit vector of the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest angle of the posture about X and about Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interpolate between voxels, or take each voxel&apos;s value (the paper&apos;s staircase)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the voxels are read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a move&apos;s feed from the field&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the axis along a move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the machine file; empty: no limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frusta of shank and holder: &apos;from to diameter diameter&apos;, heights above the tip in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That is kept between holder and part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the triangles that stand for the shapes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For the voxel model and its fields, in MiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dimples that are milled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lattice points left out, by reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean spindle turns from dimple to dimple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the machine can hold the phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of all moves but rapids, in seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring dimples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of the dimples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of a dimple&apos;s rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the faces that is dimple, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of what stays between dimples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt below which the tip rubs in a dimple</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Milled dimples in which the tip rubs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least distance of any two dimples, straight in space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest distance of neighbours, measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Root mean square of distance / spacing - 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least angle of lattice directions, measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest angle of lattice directions, measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Milled dimples, each worth a cell of the lattice, over the faces&apos; area; 0: not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was decided for you, and what is not covered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of the projection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How marks of neighbouring passes stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Predicted drift from pass to pass, in teeth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same, measured on the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest difference of the phase measured on the path and predicted, in teeth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ridge between lines on a flat, in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines left out: in a cavity, not reached from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timed moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The base operation&apos;s, in seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between moves that go straight on, in mm/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within a move, in degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That are stored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places where no axis keeps the holder clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stock and model of the job: recomputed when they change</source>
+        <translation>Rohteil und Modell des Auftrags: neu berechnet, wenn sie sich ändern</translation>
+    </message>
+    <message>
+        <source>Path to modify</source>
+        <translation>Zu ändernde Bahn</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill</name>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Texture kind</source>
+        <translation>Art der Textur</translation>
+    </message>
+    <message>
+        <source>Overlapping</source>
+        <translation>Überlappend</translation>
+    </message>
+    <message>
+        <source>Isolated</source>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Dimple diameter</source>
+        <translation>Durchmesser der Mulden</translation>
+    </message>
+    <message>
+        <source>Area share</source>
+        <translation>Flächenanteil</translation>
+    </message>
+    <message>
+        <source>Ridge height</source>
+        <translation>Grathöhe</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Projected</source>
+        <translation>Projiziert</translation>
+    </message>
+    <message>
+        <source>On surface</source>
+        <translation>Auf der Fläche</translation>
+    </message>
+    <message>
+        <source>Patch shape</source>
+        <translation>Form der Felder</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>Hexagon</source>
+        <translation>Sechseck</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Patch side</source>
+        <translation>Seite der Felder</translation>
+    </message>
+    <message>
+        <source>Patch side across</source>
+        <translation>Andere Seite der Felder</translation>
+    </message>
+    <message>
+        <source>Patches X</source>
+        <translation>Felder X</translation>
+    </message>
+    <message>
+        <source>Patches Y</source>
+        <translation>Felder Y</translation>
+    </message>
+    <message>
+        <source>Helix order</source>
+        <translation>Richtung der Spirale</translation>
+    </message>
+    <message>
+        <source>Inward</source>
+        <translation>Nach innen</translation>
+    </message>
+    <message>
+        <source>Outward</source>
+        <translation>Nach außen</translation>
+    </message>
+    <message>
+        <source>Helix start</source>
+        <translation>Beginn der Spirale</translation>
+    </message>
+    <message>
+        <source>Same corner</source>
+        <translation>Gleiche Ecke</translation>
+    </message>
+    <message>
+        <source>Nearest corner</source>
+        <translation>Nächste Ecke</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Helix</source>
+        <translation>Spirale</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Row extent</source>
+        <translation>Ausdehnung der Zeilen</translation>
+    </message>
+    <message>
+        <source>Whole face</source>
+        <translation>Ganze Fläche</translation>
+    </message>
+    <message>
+        <source>Each patch</source>
+        <translation>Jedes Feld</translation>
+    </message>
+    <message>
+        <source>Row direction</source>
+        <translation>Richtung der Zeilen</translation>
+    </message>
+    <message>
+        <source>Least time</source>
+        <translation>Kürzeste Zeit</translation>
+    </message>
+    <message>
+        <source>Along X</source>
+        <translation>Entlang X</translation>
+    </message>
+    <message>
+        <source>Along Y</source>
+        <translation>Entlang Y</translation>
+    </message>
+    <message>
+        <source>Principal curvature</source>
+        <translation>Hauptkrümmung</translation>
+    </message>
+    <message>
+        <source>Rows one way</source>
+        <translation>Zeilen nur in einer Richtung</translation>
+    </message>
+    <message>
+        <source>First patch</source>
+        <translation>Erstes Feld</translation>
+    </message>
+    <message>
+        <source>Patch comments</source>
+        <translation>Kommentare zu Feldern</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Auto direction</source>
+        <translation>Richtung automatisch</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Auto origin</source>
+        <translation>Mitte automatisch</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Steepest slope</source>
+        <translation>Steilste Neigung</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Minimum tilt</source>
+        <translation>Kleinste Neigung</translation>
+    </message>
+    <message>
+        <source>Avoid rubbing</source>
+        <translation>Reiben vermeiden</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Minimum dimples</source>
+        <translation>Mindestzahl der Mulden</translation>
+    </message>
+    <message>
+        <source>Mask use</source>
+        <translation>Verwendung der Maske</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Mask image</source>
+        <translation>Bild der Maske</translation>
+    </message>
+    <message>
+        <source>Mask curves</source>
+        <translation>Kurven der Maske</translation>
+    </message>
+    <message>
+        <source>Mask invert</source>
+        <translation>Maske umkehren</translation>
+    </message>
+    <message>
+        <source>Mask width</source>
+        <translation>Breite der Maske</translation>
+    </message>
+    <message>
+        <source>Mask centre</source>
+        <translation>Mitte der Maske</translation>
+    </message>
+    <message>
+        <source>Mask threshold</source>
+        <translation>Schwelle der Maske</translation>
+    </message>
+    <message>
+        <source>Depth at black</source>
+        <translation>Tiefe bei Schwarz</translation>
+    </message>
+    <message>
+        <source>Depth at white</source>
+        <translation>Tiefe bei Weiß</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Strategie</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Constant feed</source>
+        <translation>Fester Vorschub</translation>
+    </message>
+    <message>
+        <source>Constant feed, fitted stops</source>
+        <translation>Fester Vorschub, angepasste Halte</translation>
+    </message>
+    <message>
+        <source>Feed per move</source>
+        <translation>Vorschub je Satz</translation>
+    </message>
+    <message>
+        <source>Spindle-locked</source>
+        <translation>An die Spindel gekoppelt</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Post unheld</source>
+        <translation>Ausgeben trotz verlorener Phase</translation>
+    </message>
+    <message>
+        <source>Gouge tolerance</source>
+        <translation>Toleranz für Verletzungen</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Tool clearance</source>
+        <translation>Abstand des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Stick out</source>
+        <translation>Auskraglänge</translation>
+    </message>
+    <message>
+        <source>Holder diameter</source>
+        <translation>Durchmesser des Halters</translation>
+    </message>
+    <message>
+        <source>Holder length</source>
+        <translation>Länge des Halters</translation>
+    </message>
+    <message>
+        <source>Post gouging</source>
+        <translation>Ausgeben trotz Verletzung</translation>
+    </message>
+    <message>
+        <source>Tool axis mode</source>
+        <translation>Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>Tool axis</source>
+        <translation>Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Minimum lead</source>
+        <translation>Kleinster Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Fixed axis</source>
+        <translation>Feste Achse</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Seitenwinkel</translation>
+    </message>
+    <message>
+        <source>Lead towards</source>
+        <translation>Voreilen nach</translation>
+    </message>
+    <message>
+        <source>Posture field</source>
+        <translation>Haltungsfeld</translation>
+    </message>
+    <message>
+        <source>Field voxel size</source>
+        <translation>Voxelgröße des Feldes</translation>
+    </message>
+    <message>
+        <source>Axis smoothing</source>
+        <translation>Glättung der Achse</translation>
+    </message>
+    <message>
+        <source>Widest tilt</source>
+        <translation>Größte Neigung</translation>
+    </message>
+    <message>
+        <source>Row tolerance</source>
+        <translation>Toleranz der Zeilen</translation>
+    </message>
+    <message>
+        <source>Program form</source>
+        <translation>Form des Programms</translation>
+    </message>
+    <message>
+        <source>As the machine</source>
+        <translation>Wie die Maschine</translation>
+    </message>
+    <message>
+        <source>With TCP</source>
+        <translation>Mit TCP</translation>
+    </message>
+    <message>
+        <source>Without TCP</source>
+        <translation>Ohne TCP</translation>
+    </message>
+    <message>
+        <source>Gauge length</source>
+        <translation>Spannlänge</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Abheben</translation>
+    </message>
+    <message>
+        <source>Same flute</source>
+        <translation>Gleiche Schneide</translation>
+    </message>
+    <message>
+        <source>Extra turns</source>
+        <translation>Zusätzliche Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Phase step</source>
+        <translation>Phasenschritt</translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation>Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>Phase tolerance</source>
+        <translation>Phasentoleranz</translation>
+    </message>
+    <message>
+        <source>Plane fit</source>
+        <translation>Anpassung der Ebenen</translation>
+    </message>
+    <message>
+        <source>Best fit</source>
+        <translation>Beste Anpassung</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>Freie Form</translation>
+    </message>
+    <message>
+        <source>Lattice</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Free side</source>
+        <translation>Freie Seite</translation>
+    </message>
+    <message>
+        <source>Cross feed</source>
+        <translation>Bahnabstand</translation>
+    </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>Zahnvorschub</translation>
+    </message>
+    <message>
+        <source>Height factor</source>
+        <translation>Höhenfaktor</translation>
+    </message>
+    <message>
+        <source>Apex lift</source>
+        <translation>Anhebung der Spitze</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Scanning</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Höhenlinien</translation>
+    </message>
+    <message>
+        <source>Scanning with undercuts</source>
+        <translation>Zeilen mit Hinterschnitten</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Roughing and finishing</source>
+        <translation>Schruppen und Schlichten</translation>
+    </message>
+    <message>
+        <source>Roughing</source>
+        <translation>Schruppen</translation>
+    </message>
+    <message>
+        <source>Finishing</source>
+        <translation>Schlichten</translation>
+    </message>
+    <message>
+        <source>Radial depth</source>
+        <translation>Radiale Zustellung</translation>
+    </message>
+    <message>
+        <source>Axial depth</source>
+        <translation>Axiale Zustellung</translation>
+    </message>
+    <message>
+        <source>Finishing radial depth</source>
+        <translation>Radiale Zustellung beim Schlichten</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>Regelt</translation>
+    </message>
+    <message>
+        <source>DCM</source>
+        <translation>DCM</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Posture</source>
+        <translation>Haltung</translation>
+    </message>
+    <message>
+        <source>Feed and posture</source>
+        <translation>Vorschub und Haltung</translation>
+    </message>
+    <message>
+        <source>Voxel size</source>
+        <translation>Voxelgröße</translation>
+    </message>
+    <message>
+        <source>Feed at product</source>
+        <translation>Vorschub am Werkstück</translation>
+    </message>
+    <message>
+        <source>Feed at skin</source>
+        <translation>Vorschub an der Rohteilhaut</translation>
+    </message>
+    <message>
+        <source>Feed in air</source>
+        <translation>Vorschub in der Luft</translation>
+    </message>
+    <message>
+        <source>Keep plunges</source>
+        <translation>Eintauchen beibehalten</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Werkstoffe</translation>
+    </message>
+    <message>
+        <source>Exterior</source>
+        <translation>Außen</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Gehalten</translation>
+    </message>
+    <message>
+        <source>Diffusion</source>
+        <translation>Diffusion</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Stationär</translation>
+    </message>
+    <message>
+        <source>Transient</source>
+        <translation>Zeitlich begrenzt</translation>
+    </message>
+    <message>
+        <source>Diffusion time</source>
+        <translation>Dauer der Diffusion</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Diffusivity</source>
+        <translation>Diffusivität</translation>
+    </message>
+    <message>
+        <source>Sub steps</source>
+        <translation>Teilschritte</translation>
+    </message>
+    <message>
+        <source>Posture form</source>
+        <translation>Form der Haltung</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Unit vector</source>
+        <translation>Einheitsvektor</translation>
+    </message>
+    <message>
+        <source>Tilt limit</source>
+        <translation>Grenze der Neigung</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Ablesen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Geglättet</translation>
+    </message>
+    <message>
+        <source>Staircase</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Read at</source>
+        <translation>Abgelesen an</translation>
+    </message>
+    <message>
+        <source>Ball centre</source>
+        <translation>Kugelmitte</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Feed tolerance</source>
+        <translation>Toleranz des Vorschubs</translation>
+    </message>
+    <message>
+        <source>Axis tolerance</source>
+        <translation>Toleranz der Achse</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>Halter</translation>
+    </message>
+    <message>
+        <source>Holder clearance</source>
+        <translation>Abstand des Halters</translation>
+    </message>
+    <message>
+        <source>Deflection</source>
+        <translation>Abweichung der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Memory limit</source>
+        <translation>Speichergrenze</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>gefräst</translation>
+    </message>
+    <message>
+        <source>off the face</source>
+        <translation>neben der Fläche</translation>
+    </message>
+    <message>
+        <source>too steep</source>
+        <translation>zu steil</translation>
+    </message>
+    <message>
+        <source>tool tip</source>
+        <translation>Werkzeugspitze</translation>
+    </message>
+    <message>
+        <source>undercut</source>
+        <translation>Hinterschnitt</translation>
+    </message>
+    <message>
+        <source>near an edge</source>
+        <translation>nahe am Rand</translation>
+    </message>
+    <message>
+        <source>sliver</source>
+        <translation>zu kleines Feld</translation>
+    </message>
+    <message>
+        <source>masked</source>
+        <translation>maskiert</translation>
+    </message>
+    <message>
+        <source>no facet</source>
+        <translation>keine Facette</translation>
+    </message>
+    <message>
+        <source>off the net</source>
+        <translation>neben dem Netz</translation>
+    </message>
+    <message>
+        <source>crowded</source>
+        <translation>zu dicht</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>quadratisch</translation>
+    </message>
+    <message>
+        <source>staggered</source>
+        <translation>versetzt</translation>
+    </message>
+    <message>
+        <source>oblique</source>
+        <translation>schief</translation>
+    </message>
+    <message>
+        <source>irregular</source>
+        <translation>unregelmäßig</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Dimples planned</source>
+        <translation>Geplante Mulden</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>marks that nobody planned</source>
+        <translation>nicht geplante Marken</translation>
+    </message>
+    <message>
+        <source>off their places, rms</source>
+        <translation>Abweichung vom Ort, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>depth to the rim</source>
+        <translation>Tiefe bis zum Rand</translation>
+    </message>
+    <message>
+        <source>diameter, mean</source>
+        <translation>Durchmesser, Mittel</translation>
+    </message>
+    <message>
+        <source>distance to the nearest, mean</source>
+        <translation>Abstand zum nächsten, Mittel</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>quality, 0 to 1</source>
+        <translation>Güte, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>spindle lock</source>
+        <translation>Kopplung an die Spindel</translation>
+    </message>
+    <message>
+        <source>decimals</source>
+        <translation>Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>servo period</source>
+        <translation>Servotakt</translation>
+    </message>
+    <message>
+        <source>path tolerance</source>
+        <translation>Bahntoleranz</translation>
+    </message>
+    <message>
+        <source>linear axes</source>
+        <translation>Linearachsen</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>jerk</source>
+        <translation>Ruck</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>start phase</source>
+        <translation>Anfangsphase</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>rotary axis C</source>
+        <translation>Drehachse C</translation>
+    </message>
+    <message>
+        <source>letter</source>
+        <translation>Buchstabe</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>rotary axis A</source>
+        <translation>Drehachse A</translation>
+    </message>
+    <message>
+        <source>work zero</source>
+        <translation>Werkstücknullpunkt</translation>
+    </message>
+    <message>
+        <source>retract</source>
+        <translation>Rückzug</translation>
+    </message>
+    <message>
+        <source>controller</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Bezugspunkt</translation>
+    </message>
+    <message>
+        <source>TCP on</source>
+        <translation>TCP ein</translation>
+    </message>
+    <message>
+        <source>TCP off</source>
+        <translation>TCP aus</translation>
+    </message>
+    <message>
+        <source>smoothing on</source>
+        <translation>Glättung ein</translation>
+    </message>
+    <message>
+        <source>smoothing off</source>
+        <translation>Glättung aus</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>controller version</source>
+        <translation>Version der Steuerung</translation>
+    </message>
+    <message>
+        <source>lock origin</source>
+        <translation>Ursprung der Kopplung</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>spindle rpm</source>
+        <translation>Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>rotary axis B</source>
+        <translation>Drehachse B</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>no face</source>
+        <translation>keine Fläche</translation>
+    </message>
+    <message>
+        <source>select faces to texture.</source>
+        <translation>Flächen für die Textur auswählen.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>select a part or its faces.</source>
+        <translation>ein Teil oder seine Flächen auswählen.</translation>
+    </message>
+    <message>
+        <source>{} operations</source>
+        <translation>{} Operationen</translation>
+    </message>
+    <message>
+        <source>select one operation of a job.</source>
+        <translation>eine Operation eines Auftrags auswählen.</translation>
+    </message>
+    <message>
+        <source>Folder for the report</source>
+        <translation>Ordner für den Bericht</translation>
+    </message>
+    <message>
+        <source>PatchMill&apos;s compiled core</source>
+        <translation>Der kompilierte Kern von PatchMill</translation>
+    </message>
+    <message>
+        <source>Documents with PatchMill&apos;s operations can be opened and saved; nothing is lost.</source>
+        <translation>Dokumente mit Operationen von PatchMill können geöffnet und gespeichert werden; nichts geht verloren.</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>Installieren</translation>
+    </message>
+    <message>
+        <source>Install from a wheel file …</source>
+        <translation>Aus einer Wheel-Datei installieren …</translation>
+    </message>
+    <message>
+        <source>Copy the command for a terminal</source>
+        <translation>Befehl für ein Terminal kopieren</translation>
+    </message>
+    <message>
+        <source>A wheel of PatchMill&apos;s core</source>
+        <translation>Ein Wheel mit dem Kern von PatchMill</translation>
+    </message>
+    <message>
+        <source>Copied. Start FreeCAD again when it has run.</source>
+        <translation>Kopiert. FreeCAD neu starten, wenn er gelaufen ist.</translation>
+    </message>
+    <message>
+        <source>Installed. Start FreeCAD again to use it.</source>
+        <translation>Installiert. FreeCAD neu starten, um ihn zu verwenden.</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Marks in rows</source>
+        <translation>Marken in Reihen</translation>
+    </message>
+    <message>
+        <source>Staggered</source>
+        <translation>Versetzt</translation>
+    </message>
+    <message>
+        <source>Propose</source>
+        <translation>Vorschlagen</translation>
+    </message>
+    <message>
+        <source>side {:.4f} mm, cross-feed {:.4f} mm, feed per tooth {:.4f} mm: {}</source>
+        <translation>Seite {:.4f} mm, Bahnabstand {:.4f} mm, Zahnvorschub {:.4f} mm: {}</translation>
+    </message>
+    <message>
+        <source>(none: phase not judged)</source>
+        <translation>(keine: Phase nicht beurteilt)</translation>
+    </message>
+    <message>
+        <source>(none: no limits)</source>
+        <translation>(keine: ohne Grenzen)</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(keine)</translation>
+    </message>
+    <message>
+        <source>Machines</source>
+        <translation>Maschinen</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Importieren …</translation>
+    </message>
+    <message>
+        <source>Remove my file</source>
+        <translation>Meine Datei entfernen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Reads the configuration of a LinuxCNC machine</source>
+        <translation>Liest die Konfiguration einer Maschine mit LinuxCNC</translation>
+    </message>
+    <message>
+        <source>Your own file.</source>
+        <translation>Ihre eigene Datei.</translation>
+    </message>
+    <message>
+        <source>Comes with PatchMill.</source>
+        <translation>Gehört zu PatchMill.</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Name of the new machine file:</source>
+        <translation>Name der neuen Maschinendatei:</translation>
+    </message>
+    <message>
+        <source>LinuxCNC configuration</source>
+        <translation>Konfiguration von LinuxCNC</translation>
+    </message>
+    <message>
+        <source>From {}; to be saved as {}.</source>
+        <translation>Aus {}; zu speichern als {}.</translation>
+    </message>
+    <message>
+        <source>Close without saving what was changed?</source>
+        <translation>Schließen, ohne die Änderungen zu speichern?</translation>
+    </message>
+    <message>
+        <source>Post and check {}</source>
+        <translation>{} ausgeben und prüfen</translation>
+    </message>
+    <message>
+        <source>Post-&amp;processor</source>
+        <translation>&amp;Postprozessor</translation>
+    </message>
+    <message>
+        <source>&amp;Work offset</source>
+        <translation>&amp;Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Post</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>none is named</source>
+        <translation>keine ist genannt</translation>
+    </message>
+    <message>
+        <source>not judged: no machine is named</source>
+        <translation>nicht beurteilt: keine Maschine ist genannt</translation>
+    </message>
+    <message>
+        <source>no texture</source>
+        <translation>keine Textur</translation>
+    </message>
+    <message>
+        <source>{} for textures</source>
+        <translation>{} für Texturen</translation>
+    </message>
+    <message>
+        <source>Choose the program&apos;s file</source>
+        <translation>Datei des Programms wählen</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>{} was written. Not compared with the path: {}.</source>
+        <translation>{} wurde geschrieben. Nicht mit der Bahn verglichen: {}.</translation>
+    </message>
+    <message>
+        <source>{} was written, read back and holds the plan.</source>
+        <translation>{} wurde geschrieben, zurückgelesen und hält den Plan ein.</translation>
+    </message>
+    <message>
+        <source>{} dimples in {} patches</source>
+        <translation>{} Mulden in {} Feldern</translation>
+    </message>
+    <message>
+        <source>{} of milling, {:.2f} turns per dimple</source>
+        <translation>{} Fräszeit, {:.2f} Umdrehungen je Mulde</translation>
+    </message>
+    <message>
+        <source>%p % · {:.0f} s left</source>
+        <translation>%p % · noch {:.0f} s</translation>
+    </message>
+    <message>
+        <source>Check {}</source>
+        <translation>{} prüfen</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Prüfung läuft …</translation>
+    </message>
+    <message>
+        <source>{} moves, {} of milling, ridges of {} on a flat</source>
+        <translation>{} Sätze, {} Fräszeit, Grate von {} auf einer Ebene</translation>
+    </message>
+    <message>
+        <source>DCM modifier</source>
+        <translation>DCM-Modifikator</translation>
+    </message>
+    <message>
+        <source>Slice through the voxels</source>
+        <translation>Schnitt durch die Voxel</translation>
+    </message>
+    <message>
+        <source>across {}</source>
+        <translation>quer zu {}</translation>
+    </message>
+    <message>
+        <source>Distance to the product</source>
+        <translation>Abstand zum Werkstück</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Posture as arrows</source>
+        <translation>Haltung als Pfeile</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>{} moves, {} of milling instead of {}</source>
+        <translation>{} Sätze, {} Fräszeit statt {}</translation>
+    </message>
+    <message>
+        <source>feed [{}]</source>
+        <translation>Vorschub [{}]</translation>
+    </message>
+    <message>
+        <source>tilt [°]</source>
+        <translation>Neigung [°]</translation>
+    </message>
+    <message>
+        <source>distance [{}]</source>
+        <translation>Abstand [{}]</translation>
+    </message>
+    <message>
+        <source>Tool controller</source>
+        <translation>Werkzeugsteuerung</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>{} of {}
+move {} of {}{}
+X {:.3f}  Y {:.3f}  Z {:.3f}
+spindle {:.0f}°</source>
+        <translation>{} von {}
+Satz {} von {}{}
+X {:.3f}  Y {:.3f}  Z {:.3f}
+Spindel {:.0f}°</translation>
+    </message>
+    <message>
+        <source>, to dimple {}</source>
+        <translation>, zu Mulde {}</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Simulating and drawing …</source>
+        <translation>Simuliere und zeichne …</translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Simulate marks</source>
+        <translation>Marken simulieren</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simulieren</translation>
+    </message>
+    <message>
+        <source>Save relief …</source>
+        <translation>Relief speichern …</translation>
+    </message>
+    <message>
+        <source>As a height map or a mesh, or the dimples as a table</source>
+        <translation>Als Höhenkarte oder Netz, oder die Mulden als Tabelle</translation>
+    </message>
+    <message>
+        <source>whole texture</source>
+        <translation>ganze Textur</translation>
+    </message>
+    <message>
+        <source>as planned</source>
+        <translation>wie geplant</translation>
+    </message>
+    <message>
+        <source>as {} would run it</source>
+        <translation>wie {} es fahren würde</translation>
+    </message>
+    <message>
+        <source>How far the first flute stands out</source>
+        <translation>Wie weit die erste Schneide vorsteht</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Runout</source>
+        <translation>Rundlauffehler</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>height over the faces [µm]</source>
+        <translation>Höhe über den Flächen [µm]</translation>
+    </message>
+    <message>
+        <source>Height map</source>
+        <translation>Höhenkarte</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Table of dimples</source>
+        <translation>Tabelle der Mulden</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>Looking for good values …</source>
+        <translation>Suche gute Werte …</translation>
+    </message>
+    <message>
+        <source>Computing …</source>
+        <translation>Berechne …</translation>
+    </message>
+    <message>
+        <source>Looking for what helps …</source>
+        <translation>Suche, was hilft …</translation>
+    </message>
+    <message>
+        <source>Nothing that was tried makes it better.</source>
+        <translation>Nichts, was versucht wurde, macht es besser.</translation>
+    </message>
+    <message>
+        <source>Set for this strategy: any flute, no extra turns.</source>
+        <translation>Für diese Strategie gesetzt: jede Schneide, keine zusätzlichen Umdrehungen.</translation>
+    </message>
+    <message>
+        <source>{} dimples</source>
+        <translation>{} Mulden</translation>
+    </message>
+    <message>
+        <source>quality {} of patches at {}° to {}°: {}</source>
+        <translation>Güte {} von Feldern bei {}° bis {}°: {}</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Tried: this is what it gives</source>
+        <translation>Versucht: das kommt dabei heraus</translation>
+    </message>
+    <message>
+        <source>Not simulated</source>
+        <translation>Nicht simuliert</translation>
+    </message>
+    <message>
+        <source>Good: {} of the faces as planned</source>
+        <translation>Gut: {} der Flächen wie geplant</translation>
+    </message>
+    <message>
+        <source>Good if the machine holds the phase: choose a machine to know</source>
+        <translation>Gut, wenn die Maschine die Phase hält: eine Maschine wählen, um es zu wissen</translation>
+    </message>
+    <message>
+        <source>{} of the faces good; {} left out</source>
+        <translation>{} der Flächen gut; {} ausgelassen</translation>
+    </message>
+    <message>
+        <source>Incline the part {:.0f}°</source>
+        <translation>Teil um {:.0f}° neigen</translation>
+    </message>
+    <message>
+        <source>Lean the tool {:.0f}°</source>
+        <translation>Werkzeug um {:.0f}° anstellen</translation>
+    </message>
+    <message>
+        <source>Leave out what is too flat</source>
+        <translation>Zu Flaches auslassen</translation>
+    </message>
+    <message>
+        <source>Take the values that suit</source>
+        <translation>Passende Werte übernehmen</translation>
+    </message>
+    <message>
+        <source>{}: {:.0f} % good, {}</source>
+        <translation>{}: {:.0f} % gut, {}</translation>
+    </message>
+    <message>
+        <source>Dimples</source>
+        <translation>Mulden</translation>
+    </message>
+    <message>
+        <source>Patches</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Tool axes</source>
+        <translation>Werkzeugachsen</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Play the path</source>
+        <translation>Bahn abspielen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMillPreferences</name>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>New jobs: ball end mill and post-processor</source>
+        <translation>Neue Aufträge: Kugelfräser und Postprozessor</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source> rpm</source>
+        <translation> U/min</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source> mm/min</source>
+        <translation> mm/min</translation>
+    </message>
+    <message>
+        <source>Post-processor</source>
+        <translation>Postprozessor</translation>
+    </message>
+    <message>
+        <source>linuxcnc</source>
+        <translation>linuxcnc</translation>
+    </message>
+    <message>
+        <source>New textures</source>
+        <translation>Neue Texturen</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Machine file</source>
+        <translation>Maschinendatei</translation>
+    </message>
+    <message>
+        <source>Name of a machine file, such as linuxcnc-mill; empty: the phase is not judged</source>
+        <translation>Name einer Maschinendatei, etwa linuxcnc-mill; leer: die Phase wird nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Decimals of coordinates</source>
+        <translation>Nachkommastellen der Koordinaten</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>Memory of one computation</source>
+        <translation>Speicher einer Berechnung</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Threads (from the next start)</source>
+        <translation>Threads (ab dem nächsten Start)</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_CalibrationPatch</name>
+    <message>
+        <source>Calibration patch</source>
+        <translation>Kalibrierfeld</translation>
+    </message>
+    <message>
+        <source>One patch whose best dimple tells the machine&apos;s start phase</source>
+        <translation>Ein Feld, dessen beste Mulde die Anfangsphase der Maschine verrät</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_Check</name>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Looks for gouges and collisions of ball, shank and holder with the part</source>
+        <translation>Sucht nach Verletzungen und Kollisionen von Kugel, Schaft und Halter mit dem Teil</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_CopyMilling</name>
+    <message>
+        <source>Copy milling</source>
+        <translation>Kopierfräsen</translation>
+    </message>
+    <message>
+        <source>Lines over the selected faces or the whole part, layer by layer</source>
+        <translation>Zeilen über die gewählten Flächen oder das ganze Teil, Schicht für Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_CurvedTexture</name>
+    <message>
+        <source>Curved texture</source>
+        <translation>Gekrümmte Textur</translation>
+    </message>
+    <message>
+        <source>Dimples that lie on the selected faces (Xu and Sasahara 2016)</source>
+        <translation>Mulden, die auf den gewählten Flächen liegen (Xu und Sasahara 2016)</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_DressupDcm</name>
+    <message>
+        <source>DCM modifier</source>
+        <translation>DCM-Modifikator</translation>
+    </message>
+    <message>
+        <source>Feed and tool posture of the selected operation from a voxel model</source>
+        <translation>Vorschub und Werkzeughaltung der gewählten Operation aus einem Voxelmodell</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_Examples</name>
+    <message>
+        <source>Free-form block: curved texture</source>
+        <translation>Freiformblock: gekrümmte Textur</translation>
+    </message>
+    <message>
+        <source>The part of Xu and Sasahara 2016</source>
+        <translation>Das Teil von Xu und Sasahara 2016</translation>
+    </message>
+    <message>
+        <source>Inclined plane: planar texture</source>
+        <translation>Geneigte Ebene: ebene Textur</translation>
+    </message>
+    <message>
+        <source>After Matsuda, Sasahara and Tsutsumi 2008</source>
+        <translation>Nach Matsuda, Sasahara und Tsutsumi 2008</translation>
+    </message>
+    <message>
+        <source>Cylinder: planar patches on the surface</source>
+        <translation>Zylinder: ebene Felder auf der Fläche</translation>
+    </message>
+    <message>
+        <source>Smooth part: copy milling and DCM feed</source>
+        <translation>Glattes Teil: Kopierfräsen und DCM-Vorschub</translation>
+    </message>
+    <message>
+        <source>After Kobayashi and Shirase 2014, feed</source>
+        <translation>Nach Kobayashi und Shirase 2014, Vorschub</translation>
+    </message>
+    <message>
+        <source>Overhanging part: DCM posture</source>
+        <translation>Überhängendes Teil: DCM-Haltung</translation>
+    </message>
+    <message>
+        <source>After Kobayashi and Shirase 2014, posture</source>
+        <translation>Nach Kobayashi und Shirase 2014, Haltung</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Parts that are ready to be tried</source>
+        <translation>Teile, die zum Ausprobieren bereit sind</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_InstallCore</name>
+    <message>
+        <source>Install PatchMill&apos;s core …</source>
+        <translation>Kern von PatchMill installieren …</translation>
+    </message>
+    <message>
+        <source>What is missing here, and how to get it</source>
+        <translation>Was hier fehlt, und wie man es bekommt</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_Machines</name>
+    <message>
+        <source>Machines …</source>
+        <translation>Maschinen …</translation>
+    </message>
+    <message>
+        <source>Limits, rotary axes and controller of your machines</source>
+        <translation>Grenzen, Drehachsen und Steuerung Ihrer Maschinen</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_PlanarTexture</name>
+    <message>
+        <source>Planar texture</source>
+        <translation>Ebene Textur</translation>
+    </message>
+    <message>
+        <source>Dimples in flat patches on the selected faces (Matsuda 2008)</source>
+        <translation>Mulden in ebenen Feldern auf den gewählten Flächen (Matsuda 2008)</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_Play</name>
+    <message>
+        <source>Play the path</source>
+        <translation>Bahn abspielen</translation>
+    </message>
+    <message>
+        <source>Moves the tool along a path, with its spindle turning</source>
+        <translation>Bewegt das Werkzeug mit drehender Spindel entlang einer Bahn</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_Post</name>
+    <message>
+        <source>Post and check</source>
+        <translation>Ausgeben und prüfen</translation>
+    </message>
+    <message>
+        <source>Writes the program, if what is read back from its text holds the plan</source>
+        <translation>Schreibt das Programm, wenn das Zurückgelesene den Plan einhält</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_PyramidTexture</name>
+    <message>
+        <source>Pyramid texture</source>
+        <translation>Pyramidentextur</translation>
+    </message>
+    <message>
+        <source>Dimples in faceted patches on the selected faces</source>
+        <translation>Mulden in facettierten Feldern auf den gewählten Flächen</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_Report</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Posts the job, and writes pictures and figures</source>
+        <translation>Gibt den Auftrag aus und schreibt Bilder und Zahlen</translation>
+    </message>
+</context>
+<context>
+    <name>PatchMill_Simulate</name>
+    <message>
+        <source>Simulate marks</source>
+        <translation>Marken simulieren</translation>
+    </message>
+    <message>
+        <source>Shows the relief that the tool will leave</source>
+        <translation>Zeigt das Relief, das das Werkzeug hinterlassen wird</translation>
+    </message>
+</context>
+</TS>
