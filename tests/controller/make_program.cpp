@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/rs274_text.h"
 #include "patchmill/machine/predict_motion.h"
+#include "patchmill/sync/calibration.h"
 #include "patchmill/sync/constant_feed.h"
 #include "patchmill/sync/contact_azimuth.h"
 #include "patchmill/sync/fit_stops.h"
@@ -58,7 +59,15 @@ ToolPath plan(const Job& job, Spindle spindle) {
   rule.phase.azimuths = job.azimuths;
   rule.safe_height = 30.0;
   rule.clearance_height = 32.0;
-  return sync::paced_path(job.dimples, job.tool, spindle, rule, job.model, kDecimals).path;
+  const ToolPath path =
+      sync::paced_path(job.dimples, job.tool, spindle, rule, job.model, kDecimals).path;
+  if (job.options.number("anchored", 0.0) <= 0.0) return path;
+  const Angle period = sync::phase_period(job.tool.flutes, rule.phase.flutes);
+  return sync::with_start_phase(
+      path,
+      sync::own_start_phase(path, sync::wanted_phases(job.dimples, rule.phase, spindle), period,
+                            job.model, sync::LockOrigin::AtSpeed),
+      period, kDecimals);
 }
 
 void write(const Job& job, const ToolPath& path) {

@@ -148,6 +148,21 @@ class Calibration(unittest.TestCase):
             best = self.middle_of_the_good(miss)
             self.assertLessEqual(abs(phase.wrapped(-best - unknown, period)), 1.0)
 
+    @load.told_from_load
+    def check_from_index(self, case):
+        result = run(case)
+        rpm = case.options.get('rpm', 1000)
+        off = phase.wrapped(result.report.offset, 360 / FLUTES)
+        self.assertLessEqual(abs(off), 0.5 * 6 * rpm * PERIOD + 0.5)
+
+    def test_every_program_is_counted_from_the_index(self):
+        """What one calibration finds holds for another texture, speed and acceleration: within the half
+        period in which nobody knows where the index passes."""
+        for acceleration, options in ((2000, {'x': 0, 'y': 0}), (500, {'x': 10, 'y': -20, 'rows': 1}),
+                                      (2000, {'radius': 1.5, 'spacing': 0.6, 'rpm': 1300})):
+            with self.subTest(acceleration=acceleration, options=options):
+                self.check_from_index(Case('locked', acceleration, options=dict(options, anchored=1)))
+
     @staticmethod
     def middle_of_the_good(miss, reach=8):
         """Number of the mark about which the misses grow alike on both sides: the V that fits them

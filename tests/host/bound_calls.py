@@ -171,6 +171,7 @@ call("predicted_phase", path=t.path, model=t.model, dimples=t.dimples, rule=t.ru
 call("judge_plan", plan=lambda spindle: t.path, rule=t.rule, model=t.model, **PLANNED)
 call("calibration_side", period=3.14, step=0.02)
 call("start_phase", best_dimple=3, step=0.02, period=3.14)
+call("own_start_phase", path=t.locked_path, dimples=t.dimples, rule=t.rule, model=t.model, from_index=False)
 call("with_start_phase", path=t.locked_path, start_phase=0.1, period=math.pi, decimals=3)
 call("mark_tool_tip", on_dimples(core.mark_tool_tip), axis=(0.0, 0.0, 1.0), least_tilt=0.01)
 call("mark_tool_tip_along", on_dimples(core.mark_tool_tip_along), axes=t.axes, least_tilt=0.01)

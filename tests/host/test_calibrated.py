@@ -1,17 +1,19 @@
-"""A stored start phase knows its controller, speed and pitch, and is not posted where it is another one.
+"""A stored start phase knows its controller, is counted from the spindle's index, and holds for each texture.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import json
+import math
 import os
 import sys
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
+import _patchmill as core  # noqa: E402
 import patchmill  # noqa: E402
-from patchmill.machine import calibrated, machines  # noqa: E402
+from patchmill.machine import machines  # noqa: E402
 from test_strategies import WithMachines, locked_job  # noqa: E402
 
 KEY = "linuxcnc-mill"
@@ -53,26 +55,33 @@ class Conditions(WithMachines):
         patchmill.recompute(operation)
         patchmill.post(job, self.path("c.ngc"))
 
-    def test_another_speed_is_refused_where_the_lag_differs(self):
+    def test_one_that_was_counted_from_elsewhere_is_refused(self):
         job, operation = self.calibrate()
-        operation.ToolController.SpindleSpeed = 800
+        found = dict(machines.load(KEY).data["calibration"])
+        self.assertEqual(found.pop("counted_from"), "index")
+        self.say(calibration=found)
         patchmill.recompute(operation)
-        self.assert_refused("SpindleSpeed", patchmill.post, job, self.path("a.ngc"))
-        self.say(lock_origin="index")
-        patchmill.recompute(operation)
-        patchmill.post(job, self.path("a.ngc"))
+        error = self.assert_refused("Machine", patchmill.post, job, self.path("a.ngc"))
+        self.assertIn("anew", error.remedy)
+
+    def test_it_holds_at_another_speed_and_on_another_texture(self):
+        """Counted from the index, every program's own start phase is taken off by the motion model."""
+        job, operation = self.calibrate()
+        start = machines.load(KEY).start_phase
+        for rpm, spacing, origin in ((1000, 0.5, "at speed"), (800, 0.45, "at speed"), (800, 0.5, "index")):
+            self.say(lock_origin=origin)
+            operation.ToolController.SpindleSpeed, operation.Spacing = rpm, spacing
+            plan = patchmill.recompute(operation)
+            left = core.own_start_phase(
+                plan.path, plan.dimples, plan.rule, plan.machine.model, origin == "index"
+            )
+            period = core.phase_period(plan.input.tool.flutes, plan.rule)
+            off = (left + start + 0.5 * period) % period - 0.5 * period
+            self.assertLess(abs(math.degrees(off)), 1.0, (rpm, spacing, origin))
+            patchmill.post(job, self.path("a.ngc"))
 
 
-class Lag(unittest.TestCase):
-    def test_is_half_of_the_way_that_getting_to_speed_takes(self):
-        """From rest to v = S K under a: t = v / a, and v t / 2 of way where v t had been asked for."""
-        data = {"linear_axes": {"acceleration_mm_s2": 2000.0}}
-        speed, pitch = 1000.0 / 60.0, 1.1
-        velocity = speed * pitch
-        asked, gone = speed * velocity / 2000.0, 0.5 * velocity**2 / 2000.0 / pitch
-        self.assertAlmostEqual(calibrated.lag(data, 1000.0, pitch), 360.0 * (asked - gone), 9)
-        self.assertEqual(calibrated.lag(dict(data, lock_origin="index"), 1000.0, pitch), 0.0)
-
+class MachineFile(unittest.TestCase):
     def test_what_a_file_may_say(self):
         good = machines.load(KEY).data
         wrong = {"lock_origin": "soon", "calibration": {"controller": "x"}, "controller_version": 2.9}

@@ -187,6 +187,21 @@ void bind_machine_model(py::module_& m) {
       "`step` per dimple and `period` [rad]. Raises InputError naming BestDimple, PhaseStep or "
       "PhasePeriod.");
   m.def(
+      "own_start_phase",
+      [](const ToolPath& path, const patch::Dimples& dimples, const sync::PhaseRule& rule,
+         const machine::MotionModel& model, bool from_index) {
+        return sync::own_start_phase(
+                   path, sync::wanted_phases(dimples, rule, path.spindle),
+                   sync::phase_period(path.tool.flutes, rule.flutes), model,
+                   from_index ? sync::LockOrigin::Index : sync::LockOrigin::AtSpeed)
+            .radians();
+      },
+      py::arg("path"), py::arg("dimples"), py::arg("rule"), py::arg("model"), py::arg("from_index"),
+      "The start phase [rad] that a locked path has of itself, counted from the spindle's index; "
+      "`from_index`: the controller counts a lock's turns from there, not from where the axes are "
+      "at "
+      "speed. Raises nothing.");
+  m.def(
       "with_start_phase",
       [](const ToolPath& path, double phase, double period, int decimals) {
         return sync::with_start_phase(path, Angle::radians(phase), Angle::radians(period),

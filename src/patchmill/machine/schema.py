@@ -178,7 +178,8 @@ CALIBRATION = Record(
         "controller": TEXT,
         "spindle_rpm": Value(*NUMBER, low=1e-3, high=1e6),
         "pitch_mm": Value(*NUMBER, low=1e-6, high=1e4),
-    }
+    },
+    {"counted_from": Value(str, words=("index",))},
 )
 MACHINE = Record(
     {

@@ -39,12 +39,11 @@ def check_verdict(op, plan):
 
 
 def check_calibration(plan):
-    """A start phase that was found with another controller, or at a speed where it is another one, is not
-    posted."""
+    """A start phase that was found with another controller, or counted from elsewhere, is not posted."""
     given = plan.input
     if plan.machine is None or given.calibrating or not given.keeps_phase.locked:
         return
-    calibrated.require(plan.machine, given.spindle, given.spacing, given.tool.flutes)
+    calibrated.require(plan.machine)
 
 
 def require_millimetres(what, arguments):

@@ -7,8 +7,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 from dataclasses import dataclass
 
 import _patchmill as core
-import numpy as np
 
+from patchmill.machine import calibrated
 from patchmill.textures import tool_posture
 from patchmill.textures.strategy.table import NAMES, of  # noqa: F401  also for those that choose
 
@@ -29,11 +29,10 @@ class Pacing:
     posture: object = None  # tool_posture.Posture where rotary axes are used
 
 
-def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None, before=0):
+def make(given, dimples, rule, machine, path_of=None, posture=None):
     """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None, `posture` a
     tool_posture.Posture or None; `path_of`, if given, makes the ToolPath of a Spindle instead of the
-    strategy; `whole` is a plan of which these are some dimples, `before` of it come before them: a locked
-    path gets its phase.
+    strategy.
     Raises InputError naming Strategy, Machine or what the core names."""
     strategy = of(given.strategy)
     strategy.require(machine)
@@ -54,29 +53,28 @@ def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None, 
     verdict = None
     if machine is not None:
         verdict = core.judge_plan(plan, dimples, given.tool, given.spindle, rule, machine.model)
-        period = core.phase_period(given.tool.flutes, rule)
-        start = 0.0 if given.calibrating else machine.start_phase % period
-        if whole is not None and strategy.locked:
-            start = _phase_behind(path, whole.path, before) % period
-        if start:
-            path = core.with_start_phase(path, start, period, given.decimals)
+        path = _with_start_phase(path, given, dimples, rule, machine)
     if posture is not None:
         text = tool_posture.finish(posture, path, given, machine)
         return Pacing(posture.work.path, text, feed, verdict, clearance, posture)
     return Pacing(path, strategy.text(given, path, feed, machine), feed, verdict, clearance)
 
 
-def _phase_behind(path, whole, before):
-    """By how much [rad] the spindle has turned more when `path` comes to its first dimple than when `whole`
-    comes there, after `before` others, each counted from where its lock begins."""
-    turned = []
-    for one, number in ((path, 0), (whole, before)):
-        turns = np.cumsum(np.where(one.kinds != core.MoveKind.RAPID, one.turns, 0.0))
-        turned.append(turns[one.dimples != core.NO_DIMPLE][number])
-    return 2.0 * np.pi * (turned[0] - turned[1])
+def _with_start_phase(path, given, dimples, rule, machine):
+    """The path with the machine's start phase taken off, and for a lock the path's own one, from the
+    spindle's index to its dimples: so programs of any texture, and a plan that goes on, have the phase that
+    one calibration found."""
+    start = 0.0 if given.calibrating else machine.start_phase
+    if of(given.strategy).locked:
+        from_index = calibrated.from_index(machine.data)
+        start += core.own_start_phase(path, dimples, rule, machine.model, from_index)
+    period = core.phase_period(given.tool.flutes, rule)
+    start %= period
+    return core.with_start_phase(path, start, period, given.decimals) if start else path
 
 
 def path_at(given, dimples, rule, machine, spindle, posture=None):
     """The ToolPath of the dimples with another spindle, for the ball centre. Raises InputError as make()."""
     turning = posture.turning if posture else []
-    return of(given.strategy).path(given, dimples, rule, machine, spindle, turning)[0]
+    path = of(given.strategy).path(given, dimples, rule, machine, spindle, turning)[0]
+    return path if machine is None else _with_start_phase(path, given, dimples, rule, machine)

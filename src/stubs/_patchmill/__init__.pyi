@@ -74,6 +74,7 @@ from _patchmill.machine import freecad_paced_text as freecad_paced_text
 from _patchmill.machine import freecad_text as freecad_text
 from _patchmill.machine import judge_plan as judge_plan
 from _patchmill.machine import match_plan as match_plan
+from _patchmill.machine import own_start_phase as own_start_phase
 from _patchmill.machine import paced_path as paced_path
 from _patchmill.machine import phase_period as phase_period
 from _patchmill.machine import plan_joints as plan_joints

@@ -196,6 +196,9 @@ def judge_plan(plan: typing.Callable[[_patchmill.path.Spindle], _patchmill.path.
 def match_plan(read: _patchmill.path.ToolPath, plan: _patchmill.path.ToolPath, tolerance: float) -> PlanMatch:
     """Gives the moves of `read` the kinds and dimple numbers of `plan`, in place. Raises InputError naming Tolerance."""
     ...
+def own_start_phase(path: _patchmill.path.ToolPath, dimples: _patchmill.patch.Dimples, rule: _patchmill.sync.PhaseRule, model: MotionModel, from_index: bool) -> float:
+    """The start phase [rad] that a locked path has of itself, counted from the spindle's index; `from_index`: the controller counts a lock's turns from there, not from where the axes are at speed. Raises nothing."""
+    ...
 def paced_path(dimples: _patchmill.patch.Dimples, tool: _patchmill.path.Tool, spindle: _patchmill.path.Spindle, rule: PacedRule, model: MotionModel, decimals: int) -> tuple[_patchmill.path.ToolPath, float]:
     """(path, least height of the ball between rows when a tooth passes [mm]). Raises InputError naming Lift, SafeHeight, ClearanceHeight, Turning, ToolAxis, Spacing, MaxVelocity or Decimals."""
     ...

@@ -163,11 +163,51 @@ TEST(Calibration, CorrectionTurnsTheSpindleOnByWhatIsMissing) {
     }
     return turns;
   };
-  EXPECT_NEAR(until_first(corrected) - until_first(path), 130.0 / 360.0, 1e-12);
+  EXPECT_NEAR(until_first(corrected) - until_first(path), 130.0 / 360.0, 1e-4);  // the decimals
+  EXPECT_NEAR(
+      (corrected.moves[2].end.tip - corrected.moves[1].end.tip).norm() / corrected.moves[2].turns,
+      (path.moves[2].end.tip - path.moves[1].end.tip).norm() / path.moves[2].turns, 1e-9)
+      << "the pitch stays, and so does what getting to speed costs";
   EXPECT_EQ(corrected.moves.size(), path.moves.size());
   EXPECT_EQ(until_first(with_start_phase(path, Angle(), kPeriod, kDecimals)), until_first(path));
   EXPECT_THROW(with_start_phase(path, kPeriod, kPeriod, kDecimals), InputError);
   EXPECT_THROW(with_start_phase(ToolPath{}, Angle::degrees(1), kPeriod, kDecimals), InputError);
+}
+
+// Whatever the surface, the speed and the acceleration: with its own start phase taken off, a path's dimples come with
+// flute 0 at their azimuth, counted from the index.
+TEST(Calibration, APathThatIsCorrectedHasNoStartPhaseOfItsOwn) {
+  for (const LockOrigin origin : {LockOrigin::AtSpeed, LockOrigin::Index})
+    for (const double acceleration : {500.0, 2000.0, 10000.0})
+      for (const double rpm : {437.0, 1000.0}) {
+        Plan plan;
+        plan.model.acceleration = acceleration;
+        plan.spindle.speed = rpm / 60.0;
+        const ToolPath path = plan.at(plan.spindle);
+        const auto own = [&](const ToolPath& p) {
+          return own_start_phase(p, plan.wanted(), kPeriod, plan.model, origin);
+        };
+        const ToolPath corrected = with_start_phase(path, own(path), kPeriod, kDecimals);
+        EXPECT_NEAR(own(corrected).wrapped_signed(kPeriod).degrees(), 0.0, 0.5)
+            << acceleration << " " << rpm << " was " << own(path).degrees();
+      }
+}
+
+// By the planned turns alone: those to the first dimple less its azimuth, in the spindle's sense.
+TEST(Calibration, FromTheIndexAPathsOwnStartPhaseIsThatOfItsFirstDimple) {
+  const Plan plan;
+  const ToolPath path = plan.at(plan.spindle);
+  const Angle own = own_start_phase(path, plan.wanted(), kPeriod, plan.model, LockOrigin::Index);
+  double turns = 0.0;
+  for (const Move& move : path.moves) {
+    if (move.kind != MoveKind::Rapid) turns += move.turns;
+    if (move.dimple == kNoDimple) continue;
+    const Angle wanted = plan.wanted()[static_cast<std::size_t>(move.dimple)];
+    const Angle off = Angle::turns(turns) - own - path.spindle.sign() * wanted;
+    EXPECT_NEAR(off.wrapped_signed(kPeriod).degrees(), 0.0, 0.5) << move.dimple;
+  }
+  std::vector<Angle> none(plan.wanted().size(), Angle::radians(std::nan("")));
+  EXPECT_THROW(own_start_phase(path, none, kPeriod, plan.model, LockOrigin::Index), InputError);
 }
 
 TEST(Calibration, AFeedPacedPathBeginsFurtherBack) {

@@ -33,16 +33,18 @@ class Lock {
  public:
   Lock(double turns_per_second, double period) : rate_(turns_per_second), period_(period) {}
 
-  double turns(double time) const { return rate_ * time; }
+  /// Since a time at which the index had passed: whole at the moment at which it is taken to pass.
+  double turns(double time) const { return rate_ * time + shift_; }
   bool engaged() const { return engaged_; }
   void release() { engaged_ = false; }
   /// Waits for the index, which nobody knows to a part of a period: it is taken to pass in the middle of one. The
   /// encoder sees that at the period's end, the planner one later.
   double wait_for_index(double time) {
-    const double index = std::ceil(turns(time) + 1e-9) / rate_;
-    const double period_of_it = std::floor(index / period_ + kSame);
+    const double index = std::ceil(turns(time) + 1e-9);
+    const double period_of_it = std::floor((index - shift_) / rate_ / period_ + kSame);
     engaged_ = matching_ = true;
-    zero_ = turns((period_of_it + 0.5) * period_);
+    shift_ = index - rate_ * (period_of_it + 0.5) * period_;
+    zero_ = index;
     periods_ = 0;
     offset_ = 0.0;
     return (period_of_it + 2.0) * period_;
@@ -65,6 +67,7 @@ class Lock {
 
  private:
   double rate_, period_;
+  double shift_ = 0.0;  // of the index, by up to half a period
   bool engaged_ = false, matching_ = false;
   double zero_ = 0.0, offset_ = 0.0;
   int periods_ = 0;

@@ -18,8 +18,9 @@ namespace patchmill::machine {
 
 /// When and where a planner passes an end of a move.
 struct Passing {
-  double time = 0.0;   ///< since the start of the path [s]
-  double turns = 0.0;  ///< spindle turns since then
+  double time = 0.0;  ///< since the start of the path [s]
+  double turns =
+      0.0;  ///< spindle turns since then; whole where the index that a lock waits for passes
 };
 
 /// When the end of each of `moves` moves is passed. `rate`: of the spindle [turns/s]; `period` [s].

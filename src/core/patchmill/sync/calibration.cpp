@@ -3,6 +3,7 @@
 #include "patchmill/sync/calibration.h"
 
 #include "patchmill/geometry/require.h"
+#include "patchmill/machine/predict_motion.h"
 
 #include <cmath>
 
@@ -42,6 +43,48 @@ Angle start_phase(std::int64_t best_dimple, Angle step, Angle period) {
   return (step * -static_cast<double>(best_dimple)).wrapped(period);
 }
 
+namespace {
+
+constexpr double kBehind =
+    2.0;  // periods by which the joints follow the axes that the model has, by LinuxCNC's log
+
+// Spindle turns at the end of each move, from the index.
+std::vector<double> turns_from_index(const ToolPath& path, const machine::MotionModel& model,
+                                     LockOrigin origin) {
+  std::vector<double> turns;
+  turns.reserve(path.moves.size());
+  if (origin == LockOrigin::AtSpeed) {
+    const machine::Prediction prediction = machine::predict(path, model);
+    const double behind = kBehind * model.period * path.spindle.speed;
+    for (const machine::Passing& end : prediction.ends) turns.push_back(end.turns + behind);
+    if (prediction.known) return turns;
+    turns.clear();
+  }
+  double planned = 0.0;
+  for (const Move& move : path.moves)
+    turns.push_back(planned += move.kind == MoveKind::Rapid ? 0.0 : move.turns);
+  return turns;
+}
+
+}  // namespace
+
+Angle own_start_phase(const ToolPath& path, const std::vector<Angle>& wanted, Angle period,
+                      const machine::MotionModel& model, LockOrigin origin) {
+  require_period(period);
+  const std::vector<double> turns = turns_from_index(path, model, origin);
+  double c = 0.0, s = 0.0;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (path.moves[i].dimple == kNoDimple) continue;
+    const auto k = static_cast<std::size_t>(path.moves[i].dimple);
+    if (path.moves[i].dimple < 0 || k >= wanted.size() || std::isnan(wanted[k].radians()))
+      throw InputError("Dimple", std::to_string(path.moves[i].dimple), "no phase is wanted there.");
+    const Angle ahead = Angle::turns(turns[i]) - path.spindle.sign() * wanted[k];
+    c += std::cos(2.0 * kPi * (ahead / period));
+    s += std::sin(2.0 * kPi * (ahead / period));
+  }
+  return (period * (std::atan2(s, c) / (2.0 * kPi))).wrapped(period);
+}
+
 ToolPath with_start_phase(ToolPath path, Angle start_phase, Angle period,
                           const Decimals& decimals) {
   require_period(period);
@@ -59,10 +102,6 @@ ToolPath with_start_phase(ToolPath path, Angle start_phase, Angle period,
     from = move.end.tip;
     if (move.kind == MoveKind::Rapid) continue;
     if (!(move.turns > 0.0) || way.isZero()) break;
-    if (move.pace == Pace::SpindleLocked) {
-      move.turns += missing;
-      return path;
-    }
     if (i == 0) break;
     const double pitch = way.norm() / move.turns;
     Move& before = path.moves[i - 1];
