@@ -24,6 +24,7 @@ from patchmill_gui.forms.texture_summary import placed_summary, planned_summary
 from patchmill_gui.forms.widgets import Notice, ProgressBar, one_shot, translate
 from patchmill_gui.panels.operation_base import OperationPage, OperationPanel
 from patchmill_gui.panels.texture_advising import Advising
+from patchmill_gui.views.best_speed_box import BestSpeedBox
 from patchmill_gui.views.texture_scene import dimple_displays, line_displays
 from patchmill_gui.work.background import Background
 
@@ -61,6 +62,7 @@ class TexturePage(OperationPage):
         self.advice = AdvisorBox(self.obj, self.advised) if hasattr(self.obj, "Form") else None
         if self.advice is not None:
             layout.addWidget(self.advice)
+        layout.addWidget(BestSpeedBox(self.obj, self.advised))
         self.advanced = AdvancedFold(self.properties, (MAIN,))
         picture = QtGui.QLabel()
         picture.setPixmap(QtGui.QIcon(path("icons", "quantities.svg")).pixmap(PICTURE_WIDTH, PICTURE_WIDTH))
