@@ -37,6 +37,9 @@ class Result:
     azimuth_off: float       # greatest difference of planned and logged contact azimuth, degrees
     rotary: numpy.ndarray    # (n, 2) at each dimple, degrees
     joints: numpy.ndarray    # (n, 3) at each dimple, mm
+    points: numpy.ndarray    # (n, 3) of the dimples in the frame of the work, mm
+    normals: numpy.ndarray   # (n, 3)
+    offset: float            # the constant offset of the phase, degrees
 
     @property
     def rms(self):
@@ -53,8 +56,9 @@ def columns(path, names):
     return numpy.array([[float(row[name]) for name in names] for row in rows])
 
 
-def run(kind, form, acceleration=2000, velocity=100, spindle=1.0, **options):
-    """One program of make_five_axis, made, run and measured. `spindle`: true speed / commanded speed."""
+def run(kind, form, acceleration=2000, velocity=100, spindle=1.0, limit=120.0, **options):
+    """One program of make_five_axis, made, run and measured. `spindle`: true speed / commanded speed;
+    `limit`: wall seconds for an attempt."""
     words = ['%s=%s' % entry for entry in options.items()]
     with tempfile.TemporaryDirectory(prefix='patchmill-five-') as folder:
         stem = pathlib.Path(folder) / 'case'
@@ -62,10 +66,11 @@ def run(kind, form, acceleration=2000, velocity=100, spindle=1.0, **options):
                         str(stem), *words], check=True, stdout=subprocess.DEVNULL)
         machine = controller.Machine(acceleration=acceleration, velocity=velocity,
                                      kinematics='xyz' + kind, speed_ratio=spindle)
-        log = controller.run(stem.with_suffix('.ngc'), machine, stops=2)
+        log = controller.run(stem.with_suffix('.ngc'), machine, limit=limit, stops=2)
         path = stem.with_suffix('.csv')
         targets = phase.read_targets(path)
         normals = columns(path, ('nx', 'ny', 'nz'))
+        points = columns(path, ('px', 'py', 'pz'))
         if options.get('ball'):  # the log has the programmed point, which with TCP is in the work frame
             targets.tip = columns(path, ('kx', 'ky', 'kz'))
     time, miss = phase.passing_times(log, targets)
@@ -77,10 +82,10 @@ def run(kind, form, acceleration=2000, velocity=100, spindle=1.0, **options):
     seen = numpy.einsum('nij,nj->ni', table.work_to_housing(machine.kinematics, rotary), normals)
     azimuth = numpy.degrees(numpy.arctan2(-seen[:, 1], -seen[:, 0]))
     turns = numpy.interp(time, log.time, log.turns)
-    error, _ = phase.without_offset(360 * turns - SENSE * azimuth, 360 / FLUTES)
+    error, offset = phase.without_offset(360 * turns - SENSE * azimuth, 360 / FLUTES)
     off = abs(phase.wrapped(azimuth - targets.azimuth, 360)).max()
     return Result(log, time, miss, error, (turns[-1] - turns[0]) / (len(turns) - 1), off, rotary,
-                  at_dimples(log.joints))
+                  at_dimples(log.joints), points, normals, offset)
 
 
 class TipInWork(unittest.TestCase):

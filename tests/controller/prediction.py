@@ -18,7 +18,7 @@ import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from harness import controller  # noqa: E402
-from harness.case import Case, run  # noqa: E402
+from harness.case import Case, SPACING, run  # noqa: E402
 
 FACTOR = 1.5             # that prediction and log may differ by, either way
 RMS, LARGEST = 3.0, 9.0  # degrees: PhaseLimits of the core
@@ -39,15 +39,22 @@ def named():
     yield 'R 2, a triangle of 12', Case('locked', 8000, 300, 1, options=dict(STEEP, rows=1))
 
 
+ROWS = (500, 1000), (500, 1300), (2000, 1000), (2000, 2000), (2000, 2400), (10000, 1000), (10000, 2700)
+UPRIGHT = (500, 1000), (2000, 500), (2000, 1000), (2000, 2000), (10000, 1000)
+ONE_PATCH = (500, 1000), (2000, 1000), (10000, 1000), (2000, 3000)
+
+
 def faces():
-    """(name, Case) of the whole face of Table 1."""
+    """(name, Case) of the whole face of Table 1: leaned and upright, in rows, as helices and as one patch."""
+    for acceleration, rpm in ROWS + ((2000, 3000),):
+        yield 'leaned', Case('locked', acceleration, 100, 64, options=dict(LEANED, rows=1, rpm=rpm))
+    for acceleration, rpm in UPRIGHT + ((2000, 3000),):
+        yield 'upright', Case('locked', acceleration, 100, 64, options={'rows': 1, 'rpm': rpm})
     for acceleration in (500, 2000, 10000):
-        yield 'leaned', Case('locked', acceleration, 100, 64, options=dict(LEANED, rows=1))
-    for rpm in (2000, 2700):
-        yield 'leaned', Case('locked', 10000, 100, 64, options=dict(LEANED, rows=1, rpm=rpm))
-    for acceleration in (500, 2000, 10000):
-        yield 'upright', Case('locked', acceleration, 100, 64, options={'rows': 1})
-    yield 'leaned', Case('locked', 2000, 100, 64, options=LEANED)
+        yield 'leaned', Case('locked', acceleration, 100, 64, options=LEANED)
+    for acceleration, rpm in ONE_PATCH:
+        options = dict(LEANED, side=112, rpm=rpm)
+        yield 'leaned, one patch', Case('locked', acceleration, 100, 64, options=options)
 
 
 def drawn(count=20, seed=2016):
@@ -77,6 +84,8 @@ class Finding:
     said_to_hold: bool
     turns: float
     seconds: float
+    place: float = float('nan')  # of the spacing: how far the marks' deepest points are off, rms
+    there: str = ''  # how many of the dimples have theirs within a fourth of the spacing
 
     def within(self, factor=FACTOR):
         return all(a <= factor * b and b <= factor * a for a, b in zip(self.log, self.predicted))
@@ -89,8 +98,8 @@ class Finding:
         return self.said_to_hold and not self.held()
 
 
-def finding(case, logs=None):
-    """Runs a case; None where there is no plan for it."""
+def finding(case, logs=None, marks=False):
+    """Runs a case; None where there is no plan for it. `marks`: they are cut with the log, and looked for."""
     try:
         result = run(case, logs=logs, limit=300.0)
     except subprocess.CalledProcessError:
@@ -101,8 +110,15 @@ def finding(case, logs=None):
     holds = (predicted[0] <= RMS and predicted[1] <= LARGEST
              and tooth >= TOOTH * case.machine().period * (1 - 1e-9))
     apart = float(numpy.sqrt(numpy.mean((report.error - error) ** 2)))
-    return Finding((report.rms, report.largest), predicted, apart, float(report.miss.max()), holds,
-                   report.turns_per_dimple, float(report.time[-1] - report.time[0]))
+    found = Finding((report.rms, report.largest), predicted, apart, float(report.miss.max()), holds,
+                    report.turns_per_dimple, float(report.time[-1] - report.time[0]))
+    if marks:
+        spacing = float(case.options.get('spacing', SPACING))
+        places = result.places()
+        there = numpy.linalg.norm(places.error, axis=1) < 0.25 * spacing
+        found = dataclasses.replace(found, place=places.rms / spacing,
+                                    there='%d of %d' % (there.sum(), len(there)))
+    return found
 
 
 def row(name, case, found):
@@ -112,22 +128,25 @@ def row(name, case, found):
         case.acceleration, case.velocity, option('rpm', 1000))
     if found is None:
         return what + 'no plan | | | | | |'
-    return what + '%.3f | %.2f / %.1f | %.2f / %.1f | %.2f | %.2f | %s | %.1f |' % (
+    marks = ' %.2f %% | %s |' % (100 * found.place, found.there) if found.there else ''
+    return what + '%.3f | %.2f / %.1f | %.2f / %.1f | %.2f | %.2f | %s | %.1f |%s' % (
         found.turns, *found.log, *found.predicted, found.apart, 1e3 * found.miss,
-        ('yes' if found.said_to_hold else 'no') + (', wrongly' if found.wrongly() else ''), found.seconds)
+        ('yes' if found.said_to_hold else 'no') + (', wrongly' if found.wrongly() else ''), found.seconds,
+        marks)
 
 
 def main():
     words = sys.argv[1:]
     cases = {'random': drawn, 'faces': faces}.get(words[0] if words else '', named)
     logs = next((word for word in words if word not in ('random', 'faces')), None)
+    marks = cases is faces
     print('| case | mm/s² | mm/s | S | turns per dimple | log | predicted | apart |'
-          ' beside, µm | said to hold | s |')
-    print('| --- ' * 11 + '|')
+          ' beside, µm | said to hold | s |' + (' place, of f | there |' if marks else ''))
+    print('| --- ' * (13 if marks else 11) + '|')
     outside, wrong = [], []
     for name, case in cases():
         try:
-            found = finding(case, logs)
+            found = finding(case, logs, marks)
         except controller.TooFast as unknown:
             print('%s: unknown: %s' % (name, unknown), file=sys.stderr)
             continue

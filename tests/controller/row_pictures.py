@@ -126,8 +126,9 @@ def surface_cells(result, corner, normal):
 
 
 def marks(path, logs):
-    figure, axes = pyplot.subplots(1, 2, figsize=(10, 5))
-    for axis, (name, (options, _)) in zip(axes, ORDERS.items()):
+    figure, axes = pyplot.subplots(1, 3, figsize=(14, 5))
+    orders = {'helix': {}, 'rows to and fro': {'rows': 1}, 'rows one way': {'rows': 1, 'oneway': 1}}
+    for axis, (name, options) in zip(axes, orders.items()):
         result = run(Case('locked', ACCELERATIONS[0], 100, 4, options=options), logs=logs)
         middle = result.points.mean(axis=0)  # where the four patches meet
         at = int(numpy.argmin(numpy.linalg.norm(result.points - middle, axis=1)))

@@ -35,6 +35,14 @@ class Case:
     def radius(self):
         return float(self.options.get('radius', RADIUS))
 
+    @property
+    def upright(self):
+        """(3, 3): turns the axis of a leaned tool upright."""
+        axis = numpy.array([float(self.options.get(key, key == 'az')) for key in ('ax', 'ay', 'az')])
+        x, y, z = axis / numpy.linalg.norm(axis)
+        across = numpy.array([[0, 0, -x], [0, 0, -y], [x, y, 0]])
+        return numpy.eye(3) + across + across @ across / (1 + z)
+
     def machine(self):
         return controller.Machine(acceleration=self.acceleration, velocity=self.velocity,
                                   speed_ratio=self.speed_ratio)
@@ -52,6 +60,7 @@ class Result:
     planned_turns: numpy.ndarray  # spindle turns that the plan gives each dimple
     flutes: int = FLUTES
     radius: float = RADIUS        # mm
+    upright: numpy.ndarray = dataclasses.field(default_factory=lambda: numpy.eye(3))  # turns the tool so
 
     def drift(self):
         """Spindle turns that the machine took above the plan, degrees per dimple."""
@@ -65,11 +74,15 @@ class Result:
         return difference - 0.5 * (difference.max() + difference.min())
 
     def edge(self, offset=None):
+        """In the frame in which the tool stands upright; programs have the point under the ball's centre."""
         offset = self.report.offset if offset is None else offset
-        return cutting.Edge(self.log, offset, self.radius, self.flutes, SENSE)
+        up = numpy.array([0.0, 0.0, self.radius])
+        log = dataclasses.replace(self.log, tip=(self.log.tip + up) @ self.upright.T - up)
+        return cutting.Edge(log, offset, self.radius, self.flutes, SENSE)
 
     def places(self):
-        return cutting.places(self.edge(), self.report, self.points, self.normals)
+        return cutting.places(self.edge(), self.report, self.points @ self.upright.T,
+                              self.normals @ self.upright.T)
 
     def unwanted_marks(self, reach=RIDGE):
         return cutting.unwanted_marks(self.edge(), self.report, self.points, self.normals, reach,
@@ -104,7 +117,7 @@ def run(case, program=None, logs=None, limit=120.0):
     error, _ = phase.without_offset(360 * predicted[1] - SENSE * targets.azimuth, 360 / case.flutes)
     report = phase.measure(log, targets, case.flutes, SENSE)
     return Result(log, targets, report, points, normals, predicted[0], error,
-                  predicted[2], case.flutes, case.radius)
+                  predicted[2], case.flutes, case.radius, case.upright)
 
 
 def logged(program, machine, logs, limit):

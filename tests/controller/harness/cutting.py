@@ -50,6 +50,14 @@ class Edge:
         self.log, self.radius, self.flutes, self.sense = log, radius, flutes, sense
         self.offset = offset  # degrees
 
+    def near(self, begin, end):
+        """The same with the log from `begin` to `end` only [s]: of a long log little is looked at."""
+        first, last = numpy.searchsorted(self.log.time, [begin, end])
+        part = slice(max(first - 1, 0), last + 1)
+        log = dataclasses.replace(self.log, time=self.log.time[part], tip=self.log.tip[part],
+                                  turns=self.log.turns[part])
+        return Edge(log, self.offset, self.radius, self.flutes, self.sense)
+
     def centre(self, time):
         tip = [numpy.interp(time, self.log.time, self.log.tip[:, k]) for k in range(3)]
         return numpy.column_stack(tip) + [0.0, 0.0, self.radius]
@@ -80,7 +88,7 @@ def places(edge, report, points, normals):
     errors, depths = [], []
     for moment, point, normal in zip(report.time, points, normals):
         time = numpy.arange(moment - WINDOW, moment + WINDOW, STEP)
-        found, height = edge.deepest(time, point, normal)
+        found, height = edge.near(time[0], time[-1]).deepest(time, point, normal)
         miss = found - point
         errors.append(miss - (miss @ normal) * normal)
         depths.append(-height)
