@@ -178,6 +178,7 @@ py::dict control_dict(const gcode::Control& control) {
   py::dict d;
   d["name"] = std::string(control.name);
   d["title"] = std::string(control.title);
+  d["file_ending"] = std::string(control.file_ending);
   d["max_decimals"] = control.can.max_decimals;
   d["tcp"] = control.can.tcp;
   d["inverse_time"] = control.can.inverse_time;
@@ -225,8 +226,8 @@ void bind_writer(py::module_& m) {
           all.push_back(control_dict(*control));
         return all;
       },
-      "What each control can do, as dicts: name, title, max_decimals, tcp, inverse_time, "
-      "spindle_lock, cycles, offsets. Raises nothing.");
+      "What each control can do, as dicts: name, title, file_ending, max_decimals, tcp, "
+      "inverse_time, spindle_lock, cycles, offsets. Raises nothing.");
   m.def(
       "feeds_of", [](const std::string& text) { return gcode::feeds_of(text); }, py::arg("text"),
       "The values of all F words of a path's text, in their order. Raises nothing.");

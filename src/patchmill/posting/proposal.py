@@ -11,6 +11,7 @@ import os
 import re
 from dataclasses import dataclass, field
 
+import _patchmill as core
 import FreeCAD
 
 from patchmill.freecad import host, preferences
@@ -20,7 +21,6 @@ from patchmill.posting import control_match
 from patchmill.posting.control_match import own_dialect
 from patchmill.textures import strategies
 
-FILE_ENDINGS = {"linuxcnc": "ngc", "grblhal": "nc", "fanuc": "nc", "siemens": "mpf", "heidenhain": "h"}
 PACED = (strategies.LOCKED, strategies.FEED)  # their K and inverse times are lost by FreeCAD's own posts
 PRECISION = re.compile(r"\s*--precision[= ]\S+")
 
@@ -71,4 +71,5 @@ def filename_for(job, post):
     own = own_dialect(post)
     folder = os.path.dirname(job.Document.FileName) or preferences.program_folder()
     folder = folder if os.path.isdir(folder) else FreeCAD.getHomePath()
-    return os.path.join(folder, "%s.%s" % (job.Label, FILE_ENDINGS.get(own.dialect if own else "", "ngc")))
+    endings = {control["name"]: control["file_ending"] for control in core.controls()}
+    return os.path.join(folder, "%s.%s" % (job.Label, endings[own.dialect] if own else "ngc"))

@@ -176,7 +176,7 @@ def calibration_side(period: float, step: float) -> int:
     """Dimples along the side of the calibration patch. Raises InputError naming PhasePeriod or PhaseStep. Angles in rad."""
     ...
 def controls() -> list[dict]:
-    """What each control can do, as dicts: name, title, max_decimals, tcp, inverse_time, spindle_lock, cycles, offsets. Raises nothing."""
+    """What each control can do, as dicts: name, title, file_ending, max_decimals, tcp, inverse_time, spindle_lock, cycles, offsets. Raises nothing."""
     ...
 def feeds_of(text: str) -> list[float]:
     """The values of all F words of a path's text, in their order. Raises nothing."""

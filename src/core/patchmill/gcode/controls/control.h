@@ -111,8 +111,9 @@ using WordReader = std::vector<GcodeWord> (*)(const Control& control, std::strin
 
 /// A control: its words, its texts and how it is read.
 struct Control {
-  std::string_view name;   ///< in machine files, posts and macros
-  std::string_view title;  ///< as its users call it
+  std::string_view name;                ///< in machine files, posts and macros
+  std::string_view title;               ///< as its users call it
+  std::string_view file_ending = "nc";  ///< of program files, without the dot
   Abilities can;
   CommentRules comments;
   FixedTexts texts;

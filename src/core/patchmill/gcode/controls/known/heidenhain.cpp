@@ -211,6 +211,7 @@ Control make() {
   Control c;
   c.name = "heidenhain";
   c.title = "Heidenhain TNC";
+  c.file_ending = "h";
   c.can.inverse_time = false;
   c.can.length_word = false;
   c.can.cycles = false;

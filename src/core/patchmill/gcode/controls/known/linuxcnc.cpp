@@ -51,6 +51,7 @@ Control make() {
   Control c;
   c.name = "linuxcnc";
   c.title = "LinuxCNC";
+  c.file_ending = "ngc";
   c.can.lead = LeadRule::AlongPath;
   c.can.lead_letters = "K";
   c.can.lock_while_turning = true;

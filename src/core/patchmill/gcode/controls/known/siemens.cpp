@@ -89,6 +89,7 @@ Control make() {
   Control c;
   c.name = "siemens";
   c.title = "Siemens 840D";
+  c.file_ending = "mpf";
   c.can.lead = LeadRule::LongestAxis;
   c.can.lead_letters = "IJK";
   c.can.length_word = false;
