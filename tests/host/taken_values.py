@@ -86,8 +86,9 @@ TAKEN = [
      "housing_x joints, save_voxels key, load_voxels path, load_voxels key, outline_display outlines, "
      "classify_alignment places"),
     ("none: no loop to be inside of, no other materials, no holder, upright, no part (unknown)", "empty",
-     "curve_mask loops, materials_of bodies, * holder, motion_of_path housing, part_model breps, "
-     "check_clearance sections"),
+     "curve_mask loops, materials_of bodies, * holder, motion_of_path housing, part_model breps"),
+    ("not known, as Tool says of all three", "zero",
+     "BallEndMill cutting_length, BallEndMill shank_radius, BallEndMill stick_out"),
     ("not given: flat in the plane, or without that field, part or base", "none",
      "Watch progress, * lattice, save_voxels posture, save_voxels materials, VoxelGrid.section feed, "
      "VoxelGrid.section posture, apply_dcm feed, apply_dcm posture, apply_dcm part, "

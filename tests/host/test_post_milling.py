@@ -42,6 +42,7 @@ class PostMilling(WithDocuments):
         self.assertEqual(caught.exception.property, name, caught.exception)
         self.assertFalse(os.path.exists(self.program))
         print("refused:", caught.exception)
+        return str(caught.exception)
 
     def test_a_file_that_cannot_be_written(self):
         document, job = make_job(pocket_part(), "unwritable", ball=True)
@@ -120,10 +121,12 @@ class PostMilling(WithDocuments):
         self.refused("Mode", job)  # its feed alone does not tilt the tool
         dressup.Controls, dressup.Machine = "Feed and posture", "table-table-ac"
         DressupDCM.recompute(dressup)
-        # the field's axes, spread over voxels of 3 mm, lean the flutes into the edge of this overhang
-        self.refused("PostGouging", job, "patchmill_linuxcnc", PLAIN)
+        # it is tilted, but nobody has said what is above its ball: the edges, 60 mm long, are in the overhang
+        self.assertIn("The flute cuts 2.8", self.refused("PostGouging", job, "patchmill_linuxcnc", PLAIN))
         dressup.PostGouging = True
-        self.posts(job, "patchmill_linuxcnc", PLAIN)
+        (posted,) = self.posts(job, "patchmill_linuxcnc", PLAIN)
+        self.assertEqual({f.part for f in posted.check.findings}, {"flute"})
+        dressup.PostGouging = False
         made = CopyMilling.mill(CopyMilling.input_of(operation))
         self.assertEqual(len(CopyMilling.remarks(made)), len(CopyMilling.remarks(made, True)) + 1)
         operation.Mode = "Scanning"

@@ -68,7 +68,7 @@ def _direction(given, dimples, pattern):
 
 
 def chosen_patches(placed):
-    """The dimples of a PlacedTexture from its FirstPatch to its LastPatch. Raises InputError naming FirstPatch
+    """The dimples of a PlacedTexture from FirstPatch to LastPatch. Raises InputError naming FirstPatch
     or LastPatch."""
     first, last = placed.input.first_patch, placed.input.last_patch
     if placed.free is not None:
