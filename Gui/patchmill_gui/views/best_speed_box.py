@@ -75,9 +75,9 @@ class BestSpeedBox(QtGui.QGroupBox):
     """`taken()` is called when the speed was taken over into the operation's tool controller."""
 
     def __init__(self, obj, taken):
-        super().__init__(translate("Spindle speed"))
+        super().__init__(translate("PatchMill", "Spindle speed"))
         self.obj, self.taken, self.best = obj, taken, None
-        self.ask = _button(translate("Find the best speed"), "FindSpeed", self.look)
+        self.ask = _button(translate("PatchMill", "Find the best speed"), "FindSpeed", self.look)
         self.take = _button("", "TakeSpeed", self.take_over)
         self.curve, self.said, self.progress = Curve(), wrapping_label(), ProgressBar()
         layout = QtGui.QVBoxLayout(self)
@@ -98,7 +98,7 @@ class BestSpeedBox(QtGui.QGroupBox):
         except InputError as error:
             self._failed(error)
             return
-        self._say(translate("Trying other speeds …"))
+        self._say(translate("PatchMill", "Trying other speeds …"))
         self.work.start(lambda progress: _looked(given, progress))
 
     def _found(self, found):
@@ -108,18 +108,24 @@ class BestSpeedBox(QtGui.QGroupBox):
         self.curve.show_found(found)
         self.best = found.best
         if self.best is None:
-            said = translate("No speed from S{} to S{} holds.")
+            said = translate("PatchMill", "No speed from S{} to S{} holds.")
             self._say(said.format(found.curve[0].rpm, found.curve[-1].rpm))
             return
-        said = translate("S{} takes {:.0f} s, the phase off by up to {:.1f}°. None that holds is faster.")
+        said = translate(
+            "PatchMill", "S{} takes {:.0f} s, the phase off by up to {:.1f}°. None that holds is faster."
+        )
         self._say(said.format(self.best.rpm, self.best.seconds, self.best.largest))
         if self.best.rpm == round(self.obj.ToolController.SpindleSpeed):
             return
         free = apply.controller_is_free(self.obj)
-        self.take.setText(translate("Set S{}").format(self.best.rpm))
+        self.take.setText(translate("PatchMill", "Set S{}").format(self.best.rpm))
         self.take.setEnabled(free)
         self.take.setToolTip(
-            "" if free else translate("Other operations use this tool controller: give this one its own.")
+            ""
+            if free
+            else translate(
+                "PatchMill", "Other operations use this tool controller: give this one its own."
+            )
         )
         self.take.setVisible(True)
 

@@ -10,7 +10,7 @@ import contextlib
 import csv
 import io
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from _patchmill import InputError
 
@@ -58,8 +58,7 @@ class _Piece:
             things = getattr(self, name)
             if len(things) > 1:
                 middle = len(things) // 2
-                given = {"offsets": self.offsets, "operations": self.operations, "patches": self.patches}
-                return [_Piece(**(given | {name: part})) for part in (things[:middle], things[middle:])]
+                return [replace(self, **{name: part}) for part in (things[:middle], things[middle:])]
         first, last = self.range_of(self.operations[0]) or (1, 1)
         if first == last:
             return []

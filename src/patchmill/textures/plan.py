@@ -249,16 +249,17 @@ def plan_texture(given, progress=None):
     best = min(tried, key=lambda plan: plan.path.statistics()["timed_seconds"])
     if placed.input.first_patch == 1 and placed.input.last_patch == 0:
         return best
-    return _paced(placed, best.direction, machine, rest=True)
+    return _paced(placed, best.direction, machine, best)
 
 
-def _paced(placed, direction, machine, rest=False):
-    """PlannedTexture of a PlacedTexture. `direction`: see rows.ordered. `rest`: only the patches from
-    FirstPatch to LastPatch. Raises InputError."""
+def _paced(placed, direction, machine, whole=None):
+    """PlannedTexture of a PlacedTexture. `direction`: see rows.ordered. `whole`: the PlannedTexture whose
+    patches from FirstPatch to LastPatch are to be milled, in its phase. Raises InputError."""
     _put_in_order(placed, direction)
     placed.direction, placed.patches = direction, len(core.milled_patches(placed.dimples))
-    if rest:
-        placed.dimples = rows.chosen_patches(placed)
+    before = 0
+    if whole is not None:
+        placed.dimples, before = rows.chosen_patches(placed)
     given, dimples = placed.input, placed.dimples
     counts = dict(dimples.counts())
     division.require_some(counts)
@@ -280,6 +281,6 @@ def _paced(placed, direction, machine, rest=False):
             given,
             dimples,
             placed.remarks,
-            lambda g: strategies.make(g, dimples, rule, machine, posture=posture),
+            lambda g: strategies.make(g, dimples, rule, machine, posture=posture, whole=whole, before=before),
         )
     return PlannedTexture(**vars(placed), rule=rule, pacing=pacing, machine=machine, counts=counts)

@@ -7,6 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 from dataclasses import dataclass
 
 import _patchmill as core
+import numpy as np
 
 from patchmill.machine import calibrated
 from patchmill.textures import tool_posture
@@ -29,10 +30,11 @@ class Pacing:
     posture: object = None  # tool_posture.Posture where rotary axes are used
 
 
-def make(given, dimples, rule, machine, path_of=None, posture=None):
+def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None, before=0):
     """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None, `posture` a
     tool_posture.Posture or None; `path_of`, if given, makes the ToolPath of a Spindle instead of the
-    strategy.
+    strategy; `whole` is a plan of which these are some dimples, `before` of it come before them: a locked
+    path gets its phase.
     Raises InputError naming Strategy, Machine or what the core names."""
     strategy = of(given.strategy)
     strategy.require(machine)
@@ -53,17 +55,31 @@ def make(given, dimples, rule, machine, path_of=None, posture=None):
     verdict = None
     if machine is not None:
         verdict = core.judge_plan(plan, dimples, given.tool, given.spindle, rule, machine.model)
-        path = _with_start_phase(path, given, dimples, rule, machine)
+        if whole is not None and strategy.locked:
+            path = _in_phase_of(whole, before, path, given, rule)
+        else:
+            path = _with_start_phase(path, given, dimples, rule, machine)
     if posture is not None:
         text = tool_posture.finish(posture, path, given, machine)
         return Pacing(posture.work.path, text, feed, verdict, clearance, posture)
     return Pacing(path, strategy.text(given, path, feed, machine), feed, verdict, clearance)
 
 
+def _in_phase_of(whole, before, path, given, rule):
+    """A locked path whose first dimple comes after `before` others of a plan, so that the spindle is there
+    where it is in the plan, each counted from where its lock begins. Getting to speed takes both alike."""
+    turned = []
+    for one, number in ((path, 0), (whole.path, before)):
+        turns = np.cumsum(np.where(one.kinds != core.MoveKind.RAPID, one.turns, 0.0))
+        turned.append(turns[one.dimples != core.NO_DIMPLE][number])
+    period = core.phase_period(given.tool.flutes, rule)
+    start = 2.0 * np.pi * (turned[0] - turned[1]) % period
+    return core.with_start_phase(path, start, period, given.decimals)
+
+
 def _with_start_phase(path, given, dimples, rule, machine):
     """The path with the machine's start phase taken off, and for a lock the path's own one, from the
-    spindle's index to its dimples: so programs of any texture, and a plan that goes on, have the phase that
-    one calibration found."""
+    spindle's index to its dimples: so programs of any texture have the phase that one calibration found."""
     start = 0.0 if given.calibrating else machine.start_phase
     if of(given.strategy).locked:
         from_index = calibrated.from_index(machine.data)

@@ -68,8 +68,8 @@ def _direction(given, dimples, pattern):
 
 
 def chosen_patches(placed):
-    """The dimples of a PlacedTexture from FirstPatch to LastPatch. Raises InputError naming FirstPatch
-    or LastPatch."""
+    """(the dimples of a PlacedTexture from its FirstPatch to its LastPatch, how many of those that are milled
+    come before them). Raises InputError naming FirstPatch or LastPatch."""
     first, last = placed.input.first_patch, placed.input.last_patch
     if placed.free is not None:
         name, value, all_of = ("FirstPatch", first, 1) if first != 1 else ("LastPatch", last, 0)
@@ -79,4 +79,5 @@ def chosen_patches(placed):
         if 0 < last < first:
             raise InputError("LastPatch", last, "give no less than FirstPatch, %d." % first)
         dimples = core.up_to_patch(dimples, last)
-    return core.from_patch(dimples, first)
+    chosen = core.from_patch(dimples, first)
+    return chosen, dimples.counts()["cut"] - chosen.counts()["cut"]
