@@ -207,6 +207,15 @@ class ThreadLimit:
 
 class Watch:
     """with Watch(progress) as progress: all long calls within also ask `progress` (share -> bool, or None), and the block ends where it returns False."""
+    def __call__(self, share: float) -> bool:
+        """Tells the share done, 0 to 1; whether to go on. Raises what the progress raises."""
+        ...
+    def __enter__(self) -> Watch:
+        """Begins to be asked in this thread. Raises nothing."""
+        ...
+    def __exit__(self, arg0: object, arg1: object, arg2: object) -> bool:
+        """Ends it, and Cancelled with it. Raises nothing."""
+        ...
     def __init__(self, progress: object = None) -> None:
         """Raises InputError naming Progress."""
         ...
