@@ -4,7 +4,10 @@
 #include "patchmill/sync/paced_path.h"
 
 #include "ball_surface.h"
+#include "patch/table1_surface.h"
 #include "patchmill/geometry/error.h"
+#include "patchmill/machine/predict_motion.h"
+#include "patchmill/patch/row_order.h"
 #include "patchmill/sync/contact_azimuth.h"
 #include "patchmill/sync/verdict.h"
 
@@ -157,6 +160,19 @@ TEST(PacedPath, RoundsCornersByWhatIsPosted) {
     }
     EXPECT_GT(rounded, 10);
   }
+}
+
+// Whose rounding would swallow the straight before it, with another K: the row ends there, and the phase is known.
+TEST(PacedPath, EndsRowsOnCornersThatSwallowAStraight) {
+  patch::Dimples dimples = patch::table1_dimples(14, 8, 8);
+  mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
+  PacedRule along = rule();
+  along.rows = true;
+  const PacedPath made =
+      paced_path(patch::in_rows(dimples, patch::lattice_of(patch::PatchShape::Square), {}), kTool,
+                 {2800.0 / 60.0, SpindleSense::M3}, along, machine(10000.0), kDecimals);
+  const machine::Prediction prediction = machine::predict(made.path, machine(10000.0));
+  EXPECT_TRUE(prediction.known) << prediction.reason;
 }
 
 TEST(PacedPath, LinksGoOverTheSafeHeight) {
