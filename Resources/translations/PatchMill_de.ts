@@ -1988,6 +1988,10 @@ Spindel {:.0f}°</translation>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Muster</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

@@ -1988,6 +1988,10 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>Result</source>
         <translation>結果</translation>
     </message>
+    <message>
+        <source>Pattern</source>
+        <translation>パターン</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

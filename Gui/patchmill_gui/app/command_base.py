@@ -12,6 +12,7 @@ from PySide import QtGui
 
 from patchmill_gui.app import tool_paths
 from patchmill_gui.forms.resources import icon
+from patchmill_gui.forms.widgets import forget_closed_panels
 
 
 def say(text):
@@ -104,6 +105,7 @@ class PanelCommand(Command):
         return self.target() is not None and not FreeCADGui.Control.activeDialog()
 
     def run(self):
+        forget_closed_panels()
         panel = self.panel(self.target())
         if panel is not None:
             FreeCADGui.Control.showDialog(panel)

@@ -5,6 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import contextlib
+import gc
 import html
 
 import FreeCAD
@@ -27,6 +28,13 @@ def let_shrink(editor):
         widget.setMinimumWidth(30)
         if isinstance(widget, QtGui.QComboBox):
             widget.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+
+
+def forget_closed_panels():
+    """To be called before a panel is made. PySide gives a new widget the Python object of one that had its
+    address, even of one that is deleted, as long as anything refers to that; what is left of closed panels
+    refers to itself in circles, until Python collects it."""
+    gc.collect()
 
 
 class _EditorGuard(QtCore.QObject):

@@ -16,7 +16,14 @@ from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.property_rows import QuantityRow
 from patchmill_gui.forms.resources import icon
 from patchmill_gui.forms.texture_summary import duration, grouped
-from patchmill_gui.forms.widgets import button_number, guard_editors, let_shrink, translate, user_unit
+from patchmill_gui.forms.widgets import (
+    button_number,
+    forget_closed_panels,
+    guard_editors,
+    let_shrink,
+    translate,
+    user_unit,
+)
 from patchmill_gui.views.legend import LegendPlace
 from patchmill_gui.views.path_view import PathScene, settle_native_lines
 from patchmill_gui.work.computing import Computing, ComputingBox
@@ -241,6 +248,7 @@ class DcmView:
         if not FreeCAD.getActiveTransaction():
             vobj.Object.Document.openTransaction("DCM")
         FreeCADGui.Control.closeDialog()
+        forget_closed_panels()
         self.panel = DcmPanel(vobj.Object)
         FreeCADGui.Control.showDialog(self.panel)
         return True

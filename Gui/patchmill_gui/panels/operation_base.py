@@ -12,7 +12,7 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.resources import native
-from patchmill_gui.forms.widgets import guard_editors, let_shrink, translate
+from patchmill_gui.forms.widgets import forget_closed_panels, guard_editors, let_shrink, translate
 
 
 NativeView: typing.Any = native("operation").ViewProvider
@@ -49,6 +49,7 @@ class OperationView(NativeView):
         if mode != 0:
             return False
         vobj = vobj if vobj is not None and hasattr(vobj, "Object") else self.vobj
+        forget_closed_panels()
         page = self.getTaskPanelOpPage(vobj.Object)
         page.setTitle(self.OpName)
         page.setIcon(self.OpIcon)

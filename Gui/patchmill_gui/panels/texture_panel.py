@@ -30,7 +30,7 @@ from patchmill_gui.work.background import Background
 
 PICTURE_WIDTH = 220  # as narrow as FreeCAD's panel at first
 PLACE_AFTER_MS, PLAN_AFTER_MS = 10, 400
-MAIN = "Pattern"
+MAIN = QT_TRANSLATE_NOOP("PatchMill", "Pattern")
 MAIN_ROWS = ("PatchShape", "Spacing", "Depth", "Margin", "MaskUse", "Machine", "ToolAxisMode", "Strategy")
 PREVIEWS = (
     ("dimples", QT_TRANSLATE_NOOP("PatchMill", "Dimples")),

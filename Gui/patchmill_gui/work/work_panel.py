@@ -4,6 +4,8 @@ progress, result or error it shows.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import weakref
+
 import FreeCAD
 import FreeCADGui
 
@@ -22,10 +24,13 @@ class ClosePanel:
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title)
         self.layout = QtGui.QVBoxLayout(self.form)
+        self.opened = False
         self.watch = _Watch(operation, self._gone)
         FreeCAD.addDocumentObserver(self.watch)
 
     def getStandardButtons(self):
+        """FreeCAD asks when it shows the panel."""
+        self.opened = True
         return button_number(QtGui.QDialogButtonBox.Close)
 
     def leave(self):
@@ -41,37 +46,36 @@ class ClosePanel:
         self.leave()
 
     def _gone(self):
-        """The object is being deleted, maybe with its document: the window goes when that is done."""
-        shown = _is_shown(self.form)
+        """The object is being deleted, maybe with its document: the panel goes when that is done."""
         self._end()
-        if shown:
-            QtCore.QTimer.singleShot(0, lambda: _is_shown(self.form) and FreeCADGui.Control.closeDialog())
+        if self._is_open():
+            QtCore.QTimer.singleShot(0, lambda: self._is_open() and FreeCADGui.Control.closeDialog())
+
+    def _is_open(self):
+        """Whether FreeCAD shows it, be it behind another tab: it takes the form away when it closes it."""
+        return self.opened and self.form is not None
 
     def accept(self):
         return self.reject()
 
 
 class _Watch:
-    """FreeCAD's observer that calls `gone` when a document object goes, or its document."""
+    """FreeCAD's observer that calls `gone`, a method that it does not keep alive, when a document object
+    goes, or its document."""
 
     def __init__(self, obj, gone):
-        self.place, self.gone = (obj.Document.Name, obj.Name), gone
+        self.place, self.gone = (obj.Document.Name, obj.Name), weakref.WeakMethod(gone)
 
     def slotDeletedObject(self, obj):
-        if (obj.Document.Name, obj.Name) == self.place:
-            self.gone()
+        self._tell((obj.Document.Name, obj.Name) == self.place)
 
     def slotDeletedDocument(self, document):
-        if document.Name == self.place[0]:
-            self.gone()
+        self._tell(document.Name == self.place[0])
 
-
-def _is_shown(form):
-    """FreeCAD takes the form away from a panel that it closes."""
-    try:
-        return form is not None and form.isVisible()
-    except RuntimeError:  # FreeCAD has deleted it with its panel
-        return False
+    def _tell(self, mine):
+        gone = self.gone()
+        if mine and gone is not None:
+            gone()
 
 
 class WorkPanel(ClosePanel):
