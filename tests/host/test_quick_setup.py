@@ -35,6 +35,13 @@ class QuickSetup(unittest.TestCase):
         self.assertEqual(len(host.tool_controllers(job)), 1)
         self.assertEqual(operation.Base[0][0], job.Model.Group[0])
 
+    def test_a_face_that_looks_sideways_or_down_is_refused_by_what_helps(self):
+        for face in ("Face1", "Face3", "Face5"):
+            operation = quick_setup.texture(patchmill.CurvedTexture, "Texture", self.block, [face])
+            with self.assertRaises(patchmill.InputError) as caught:
+                patchmill.recompute(operation)
+            self.assertIn("look sideways or down: incline the part", caught.exception.remedy)
+
     def test_what_exists_is_used_and_left_as_it_was(self):
         job = host.create_job("Job", [self.block])
         end_mill = host.tool_controllers(job)[0]

@@ -218,7 +218,8 @@ def lattice_start(given, sampler, low, high):
     return origin
 
 
-REMEDIES = {
+# What helps if nothing is left to mill, by the reason that most dimples were left out for.
+_REMEDIES = {
     "off the face": "choose other faces, or move the texture's origin",
     "too steep": "raise SteepestSlope, or project from another Direction",
     "tool tip": "incline the part or lean the tool, for the tip of a ball does not cut",
@@ -232,14 +233,31 @@ REMEDIES = {
 }
 
 
-def require_some(counts):
-    """Raises InputError naming Dimples if none is to be cut, of their counts by state."""
+_SIDEWAYS = "the faces look sideways or down: incline the part, or project from where they are seen"
+_NOT_SEEN = {"off the face", "undercut", "too steep"}
+
+
+def require_some(counts, given):
+    """Raises InputError naming Dimples, with what helps, if none is left to be cut. `counts`: of dimples by
+    the name of their state."""
     if counts["cut"]:
         return
     reasons = sorted((n, name) for name, n in counts.items() if n)[::-1]
+    remedy = _REMEDIES[reasons[0][1]]
+    if {name for _, name in reasons} <= _NOT_SEEN and _look_aside(given):
+        remedy = _SIDEWAYS
     raise InputError(
         "Dimples",
         "0",
         "every lattice point was left out (%s): %s."
-        % (", ".join("%s: %d" % (name, n) for n, name in reasons), REMEDIES[reasons[0][1]]),
+        % (", ".join("%s: %d" % (name, n) for n, name in reasons), remedy),
     )
+
+
+def _look_aside(given):
+    """Whether faces without a dimple look largest from 60 degrees or more beside the projection."""
+    if given.auto_direction:
+        return False
+    best = core.seen_best(given.breps, given.direction)["direction"]
+    cosine = np.dot(best, given.direction) / np.linalg.norm(given.direction)
+    return cosine < 0.5

@@ -262,7 +262,7 @@ def _paced(placed, direction, machine, whole=None):
         placed.dimples, before = rows.chosen_patches(placed)
     given, dimples = placed.input, placed.dimples
     counts = dict(dimples.counts())
-    division.require_some(counts)
+    division.require_some(counts, given)
     if placed.free is not None:
         rule = core.PhaseRule(False, 0.0, 0.0)
         pacing = heights.plan_above(
