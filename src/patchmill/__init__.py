@@ -38,6 +38,7 @@ _LAZY = {
     "mark_state": ("patchmill.textures.advisor", "mark_state"),
     "job": ("patchmill.macros.jobs", "job"),
     "texture": ("patchmill.macros.jobs", "texture"),
+    "choose_values": ("patchmill.advice.chosen", "take_for"),
     "faces": ("patchmill.macros.faces", "faces"),
     "planned": ("patchmill.operations.texture_operation", "planned"),
     "recompute": ("patchmill.operations.texture_operation", "recompute"),

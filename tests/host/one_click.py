@@ -31,6 +31,7 @@ def choose_for(operation):
     """Takes the values over that suit."""
     found = choose(operation.Proxy.texture_input(operation), apply.controller_is_free(operation))
     apply.set_fields(operation, found.fields)
+    return found
 
 
 def state_of(operation, count=3):
@@ -39,7 +40,7 @@ def state_of(operation, count=3):
         plan = patchmill.recompute(operation)
     except patchmill.InputError:
         return "short", None, math.nan
-    found = assess(plan.asked, count)
+    found = assess(plan.asked, count, whole=True)
     holds = plan.pacing.verdict is not None and plan.pacing.verdict.holding == "holds"
     return (
         "good" if found.good and holds else "short",
@@ -63,11 +64,16 @@ def whole_quality(operation, most_area=1500.0):
     return patchmill.simulate(plan, machine=plan.machine, window=(tuple(low), tuple(high))).quality
 
 
+def remedies_of(operation, fields):
+    """The remedies for an operation whose values are `fields` of choose(), the best first."""
+    free, can_incline = apply.controller_is_free(operation), apply.can_incline(operation)
+    finder = remedies.Finder(assess, choose, free, can_incline, fields)
+    return finder.find(operation.Proxy.texture_input(operation))
+
+
 def fix(operation):
     """Takes the first remedy over that was found; its kind, or ''."""
-    free, can_incline = apply.controller_is_free(operation), apply.can_incline(operation)
-    finder = remedies.Finder(assess, choose, free, can_incline, chosen=True)
-    found = finder.find(operation.Proxy.texture_input(operation))
+    found = remedies_of(operation, {"margin": operation.Margin.Value})
     if not found:
         return ""
     apply.take(operation, found[0])

@@ -13,8 +13,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import FreeCAD  # noqa: E402
 import numpy as np  # noqa: E402
 import one_click  # noqa: E402
+import other_parts  # noqa: E402
+import patchmill  # noqa: E402
 import quality_parts  # noqa: E402
-from patchmill.advice import assessment, choice, remedies  # noqa: E402
+from patchmill.advice import assessment, choice, orientation, remedies  # noqa: E402
 from patchmill.machine import machines  # noqa: E402
 
 
@@ -35,6 +37,16 @@ class OneClick(unittest.TestCase):
             self.assertEqual(found.milled_fraction, 1.0)
             self.assertEqual((operation.Strategy, operation.Order), ("Spindle-locked", "Rows"))
 
+    def test_a_face_that_looks_sideways_is_short_and_becomes_good_by_the_fix(self):
+        """On three axes the part is turned; that was tried."""
+        shape, face = other_parts.box_side()
+        operation = one_click.texture(shape, face, "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        one_click.choose_for(operation)
+        self.assertEqual(one_click.state_of(operation)[0], "short")
+        self.assertEqual(one_click.fix(operation), "incline")
+        self.assertEqual(one_click.state_of(operation)[0], "good")
+
     def test_a_flat_plate_is_short_and_becomes_good_by_the_fix(self):
         for machine, kinds in (("linuxcnc-mill", {"incline"}), ("table-table-ac", {"incline", "lean"})):
             operation, state, _, _ = self.one("flat plate", machine)
@@ -47,6 +59,33 @@ class OneClick(unittest.TestCase):
         finder = remedies.Finder(one_click.assess, one_click.choose)
         offered = finder.find(operation.Proxy.texture_input(operation))
         self.assertEqual([r.kind for r in offered], [])
+
+    def test_a_macro_without_values_gets_those_of_one_click(self):
+        operation = one_click.texture(quality_parts.plate(25.0, 8.0, 6.0), "Face6", "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        fields = one_click.choose_for(operation).fields
+        part = operation.Document.addObject("Part::Feature", "Other")
+        part.Shape = quality_parts.plate(25.0, 8.0, 6.0)
+        job = patchmill.job(part, machine="linuxcnc-mill")
+        same = patchmill.texture(job, ["Face6"])
+        for name in ("Strategy", "Order", "RowDirection", "SameFlute", "ExtraTurns", "Margin"):
+            self.assertEqual(getattr(same, name), getattr(operation, name), name)
+        self.assertEqual(same.ToolController.SpindleSpeed, operation.ToolController.SpindleSpeed)
+        self.assertEqual(fields["margin"], same.Margin.Value)
+        own = patchmill.texture(job, ["Face6"], Spacing=0.5)
+        self.assertEqual((own.Strategy, own.Margin.Value), ("Constant feed", 0.0))
+
+    def test_outermost_rows_are_whole(self):
+        """Without a margin the row along the lower border has no rim: quality 0.93 or less."""
+        for angle in (20.0, 30.0):
+            operation = one_click.texture(quality_parts.plate(angle, 8.0, 6.0), "Face6", "linuxcnc-mill")
+            self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+            one_click.choose_for(operation)
+            plan = patchmill.recompute(operation)
+            self.assertGreaterEqual(patchmill.simulate(plan, machine=plan.machine).quality, 0.95)
+            operation.Margin = 0.0
+            plan = patchmill.recompute(operation)
+            self.assertLess(patchmill.simulate(plan, machine=plan.machine).quality, 0.95)
 
     def test_speeds_rise_to_what_a_lock_can_follow(self):
         operation = one_click.texture(quality_parts.plate(20.0), "Face6", "linuxcnc-mill")
@@ -61,14 +100,40 @@ class OneClick(unittest.TestCase):
 
     def test_patches_are_looked_at_away_from_borders(self):
         neighbours = np.array([9, 81, 9, 9, 9, 80, 40, 40, 40])
-        found = assessment._middles(np.arange(9)[::-1], neighbours, 3)
-        self.assertEqual(found, [7, 5, 1])
-        self.assertEqual(len(assessment._middles(np.arange(2), neighbours, 3)), 3)
+        parts = np.array_split(np.arange(9)[::-1], 3)
+        self.assertEqual([assessment._middle(part, neighbours) for part in parts], [7, 5, 1])
+
+    def test_the_flattest_dimples_have_a_patch_of_their_own(self):
+        order, tilts = np.arange(200)[::-1], np.linspace(0.0, 0.5, 200)
+        parts = assessment._parts(order, tilts, 3)
+        self.assertEqual([len(part) for part in parts], [10, 64, 63, 63])
+        self.assertEqual(np.concatenate(parts).tolist(), order.tolist())
+        self.assertEqual(len(assessment._parts(order, np.full(200, 0.3), 3)), 1)
+        self.assertEqual([len(part) for part in assessment._parts(order[:2], tilts[:2] * 99, 3)], [1, 1])
 
     def test_the_leaning_turns_flat_normals_to_the_middle_of_good_tilts(self):
         up = np.tile([0.0, 0.0, 1.0], (5, 1))
-        good, angle, _ = remedies.leanings(up)[0]
+        good, angle, _ = orientation.leanings(up)[0]
         self.assertEqual((good, angle), (1.0, 20.0))
+
+    def test_faces_that_look_sideways_or_down_are_turned_up(self):
+        for normal, least in (((1, 0, 0), 70.0), ((0, -1, 0), 70.0), ((0, 0, -1), 160.0)):
+            good, angle, axis = orientation.leanings(np.tile(np.array(normal, float), (3, 1)))[0]
+            self.assertEqual((good, angle), (1.0, least))
+            tilt = np.degrees(np.arccos(np.dot(orientation.up_of(axis, angle), normal)))
+            self.assertTrue(14.0 < tilt < 28.0, tilt)
+
+    def test_normals_are_outward_and_weigh_as_much_as_their_triangles(self):
+        given = one_click.texture(quality_parts.knob(5.0, 7.0), "Face1", "").Proxy.texture_input
+        operation = FreeCAD.ActiveDocument.getObject("Texture")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        normals, areas = orientation.face_normals(given(operation))
+        self.assertAlmostEqual(areas.sum(), np.pi * 5.0 * 7.0, delta=1.0)
+        np.testing.assert_allclose(np.abs(normals[:, 0]), 0.0, atol=1e-9)
+        shape = quality_parts.knob(5.0, 7.0).Face1
+        mean = (normals * areas[:, None]).sum(axis=0) / areas.sum()
+        self.assertGreater(np.dot(mean, np.array(shape.normalAt(*[0.5 * (a + b) for a, b in (
+            shape.ParameterRange[:2], shape.ParameterRange[2:])]))), 0.5)
 
 
 if __name__ == "__main__":

@@ -38,7 +38,7 @@ class _Worst:
 def _assess_and_draw(given, progress):
     """(Assessment, displays of the relief of the worst place) or None if cancelled."""
     worst = _Worst()
-    found = assessment.assess(worst, given, 3, progress)
+    found = assessment.assess(worst, given, 3, progress, whole=True)
     if found is None:
         return None
     return found, relief_of(worst.result)[0] if worst.result is not None else {}
@@ -75,7 +75,7 @@ class Advising(QtCore.QObject):
     def own_values(self):
         """Those that are chosen, as they are."""
         obj = self.obj
-        return obj.Strategy, obj.SameFlute, obj.ExtraTurns, obj.Order, obj.RowDirection
+        return obj.Strategy, obj.SameFlute, obj.ExtraTurns, obj.Order, obj.RowDirection, obj.Margin.Value
 
     def choose(self):
         """Begins to look for the values that suit, unless they are those of the last choice, or the user's.
@@ -83,7 +83,7 @@ class Advising(QtCore.QObject):
         if not self.following:
             return False
         try:
-            given = replace(self.obj.Proxy.texture_input(self.obj), **self._as_before())
+            given = replace(self.obj.Proxy.texture_input(self.obj), margin=0.0, **self._as_before())
         except InputError:
             return False  # planning says it
         if given.form == "Free":
@@ -155,11 +155,11 @@ class Advising(QtCore.QObject):
         if given.form == "Free":
             return
         free, can_incline = apply.controller_is_free(self.obj), apply.can_incline(self.obj)
-        chosen = self._choice is not None and all(
-            getattr(given, name) == value for name, value in self._choice.fields.items()
-        )
+        chosen = self._choice.fields if self._choice is not None else {}
+        if any(getattr(given, name) != value for name, value in chosen.items()):
+            chosen = None
         self.head.note(translate("PatchMill", "Looking for what helps …"))
-        finder = remedies.Finder(assess, choose, free, can_incline, chosen)
+        finder = remedies.Finder(assess, choose, free, can_incline, chosen or None)
         self.helping.start(lambda progress: finder.find(given, progress))
 
     def _helped(self, found):

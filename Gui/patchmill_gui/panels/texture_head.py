@@ -4,6 +4,7 @@ at the top of FreeCAD's panel however far that is scrolled, and never shows old 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import FreeCAD
 from patchmill.advice.found import GOOD_FRACTION
 from PySide import QtCore, QtGui
 
@@ -164,6 +165,9 @@ def _verdict(found, verdict):
     if not found.patches:
         return AMBER, translate("PatchMill", "Not simulated")
     share = "%.0f %%" % (100.0 * found.good_fraction)
+    if not found.borders_are_good:
+        short = translate("PatchMill", "Quality {} with the borders of the faces, {} inside")
+        return AMBER, short.format("%.2f" % found.whole, "%.2f" % found.quality)
     if found.good_fraction >= GOOD_FRACTION and verdict is not None:
         return GREEN, translate("PatchMill", "Good: {} of the faces as planned").format(share)
     if found.good_fraction >= GOOD_FRACTION:
@@ -176,13 +180,20 @@ def _verdict(found, verdict):
 
 def remedy_text(remedy):
     """What a remedy does and gives, as its button says it."""
-    found = remedy.assessment
+    found, fields = remedy.assessment, remedy.fields
     what = {
         "incline": translate("PatchMill", "Incline the part {:.0f}°").format(remedy.angle),
         "lean": translate("PatchMill", "Lean the tool {:.0f}°").format(remedy.angle),
+        "along": translate("PatchMill", "Let the tool follow the faces, leant {:.0f}°").format(remedy.angle),
+        "finer": translate("PatchMill", "Choose a smaller spacing"),
         "leave out": translate("PatchMill", "Leave out what is too flat"),
         "values": translate("PatchMill", "Take the values that suit"),
     }[remedy.kind]
+    if "spacing" in fields:
+        spacing = FreeCAD.Units.Quantity(fields["spacing"], "mm")
+        what = translate("PatchMill", "{}, spacing {}").format(what, spacing.UserString)
+    if "minimum_tilt" in fields and remedy.kind != "leave out":
+        what = translate("PatchMill", "{}, leave out what is too flat").format(what)
     return translate("PatchMill", "{}: {:.0f} % good, {}").format(
         what, 100.0 * found.good_fraction, duration(found.seconds)
     )

@@ -2,13 +2,15 @@
 
 A texture is milled patch by patch, so that one patch simulated alone says what each of its kind is worth. The
 patches that are looked at stand for equal parts of the dimples, from the flattest to the steepest place:
-quality depends on the tilt between tool axis and face more than on anything else. They lie away from the
-borders of
-the faces, where there are such places: along a border the tip leaves marks that no neighbour takes away.
+quality depends on the tilt between tool axis and face more than on anything else. The flattest dimples have a
+patch of their own, for a small flat place spoils a texture that is good elsewhere. Patches lie away from the
+borders of the faces, where there are such places: along a border the tip leaves marks that no neighbour takes
+away. Small textures, where borders count, are simulated as a whole besides.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import math
 from dataclasses import replace
 from functools import partial
 
@@ -16,13 +18,19 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.advice.found import GOOD, Assessment, PatchQuality
+from patchmill.advice import orientation
+from patchmill.advice.found import GOOD, SMALL, Assessment, PatchQuality
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import place_texture, plan_texture
 
 
 WINDOW = 8  # spacings along the side of what is simulated
+MANY_TURNS = 3 * SMALL  # of the spindle, in which a small texture is simulated as a whole
+MANY = 40000  # dimples; of more, a coarser lattice is looked at
 ABOUT = 0.95  # of the most neighbours: a place in the middle
+NOT_ASKED_FOR = ("off the face", "off the net", "masked", "near an edge")  # states' names
+FLATTEST = 0.05  # of the dimples: the flattest ones, looked at by themselves
+ALIKE = math.radians(0.5)  # tilts that differ by less are looked at once
 
 
 def with_simulation(simulate):
@@ -30,35 +38,81 @@ def with_simulation(simulate):
     return partial(assess, simulate)
 
 
-def assess(simulate, given, count=5, progress=None, first=None):
-    """Assessment of a TextureInput from `count` patches; None if `progress` (fraction -> bool) returned
-    False. Raises InputError where no dimple can be placed.
+def assess(simulate, given, count=5, progress=None, middle_first=False, whole=False, known=None):
+    """Assessment of a TextureInput from `count` patches, and one of the flattest dimples; None if `progress`
+    (fraction -> bool) returned False. Raises InputError where no dimple can be placed.
 
-    `first`: the number of a patch that is looked at before the others; if it is not GOOD, they are not looked
-    at, and count as it does."""
-    placed = place_texture(given)
-    counts = dict(placed.dimples.counts())
+    `middle_first`: if the patch of middle tilts is not GOOD, no other is looked at, and they count as it
+    does. `whole`: a SMALL texture whose patches are good is simulated as a whole as well, borders included.
+    `known`: the Assessment of its patches."""
+    if known is not None:
+        return replace(known, whole=_whole(simulate, given) if whole else known.whole)
+    times = _times_spacing(given)
+    placed = place_texture(replace(given, spacing=times * given.spacing) if times > 1.0 else given)
+    counts = {name: round(times**2 * n) for name, n in placed.dimples.counts().items()}
     cut = placed.dimples.states == core.DimpleState.CUT
-    on_faces = sum(n for name, n in counts.items() if name not in ("off the face", "off the net", "masked"))
-    found = Assessment(int(cut.sum()), float(cut.sum()) / max(1, on_faces), counts)
+    on_faces = sum(n for name, n in counts.items() if name not in NOT_ASKED_FOR)
+    found = Assessment(counts["cut"], counts["cut"] / max(1, on_faces), counts)
     if not cut.any() or placed.free is not None:
         return found
     tilts = _tilts(placed)
     numbers = np.flatnonzero(cut)
     order = numbers[np.argsort(tilts[numbers], kind="stable")]
-    middles = _middles(order, _neighbours(placed, cut), count)
+    parts = _parts(order, tilts[order], count)
+    neighbours = _neighbours(placed, cut)
+    middles = [_middle(part, neighbours) for part in parts]
     made: dict[int, PatchQuality] = {}
-    for k in sorted(range(count), key=lambda k: k != first):
-        if progress and not progress(len(made) / count):
+    first = len(parts) // 2 if middle_first else None
+    for k in sorted(range(len(parts)), key=lambda k: k != first):
+        if progress and not progress(len(made) / len(parts)):
             return None
         number = middles[k]
         made[k] = _patch(simulate, given, placed, number, float(np.degrees(tilts[number])))
+        made[k].fraction = len(parts[k]) / len(order)
         if k == first and made[k].quality < GOOD:
             break
     found.patches = [made[k] for k in sorted(made)]
     rates = [patch.seconds_per_dimple for patch in found.patches if patch.seconds_per_dimple]
     found.seconds = float(np.mean(rates)) * found.dimples if rates else 0.0
+    if whole and found.dimples <= SMALL and found.good:
+        found.whole = _whole(simulate, given)
     return found
+
+
+def _times_spacing(given):
+    """By how much the spacing may be larger where patches are chosen and what is left out is counted, so that
+    large faces take no longer than others; 1 where the texture depends on its spacing by more than that."""
+    plain = given.texture_kind == "Overlapping" and not given.avoid_rubbing and given.minimum_dimples < 2
+    if not plain or given.form == "Free" or given.mapping != "Projected" or not given.spacing:
+        return 1.0
+    area = sum(orientation.shape_of(text).Area for text in given.breps)
+    needed = math.sqrt(area / given.spacing**2 / MANY)
+    return max(1.0, min(needed, given.tool.radius / given.spacing))
+
+
+def _whole(simulate, given):
+    """Quality of a whole texture, its borders included; 0 where it cannot be made or loses its phase, None
+    where it would take too long, for the spindle turns often for each dimple."""
+    try:
+        plan = plan_texture(given)
+        verdict = plan.pacing.verdict
+        if verdict is not None and not given.keeps_phase.polygons and verdict.holding != "holds":
+            return 0.0
+        if plan.path.statistics()["timed_seconds"] * given.spindle.speed > MANY_TURNS:
+            return None
+        return float(simulate(plan, machine=plan.machine).quality)
+    except InputError:
+        return 0.0
+
+
+def _parts(order, tilts, count):
+    """Numbers of dimples in `order` of their ascending `tilts` [rad], in parts that a patch each stands for:
+    the flattest, and `count` equal ones of the rest; one of all where the tilts are alike."""
+    if tilts[-1] - tilts[0] < ALIKE:
+        return [order]
+    flattest = int(FLATTEST * len(order))
+    parts = [order[:flattest], *np.array_split(order[flattest:], count)]
+    return [part for part in parts if len(part)]
 
 
 def _neighbours(placed, cut):
@@ -74,15 +128,12 @@ def _neighbours(placed, cut):
     return total[x1, y1] - total[x0, y1] - total[x1, y0] + total[x0, y0]
 
 
-def _middles(order, neighbours, count):
-    """Of each of `count` equal parts of `order`, the number nearest to the part's middle among those that
-    have about as many neighbours as any of the part."""
-    found = []
-    for part in np.array_split(order, count) if len(order) >= count else [order] * count:
-        full = neighbours[part] >= ABOUT * neighbours[part].max()
-        ranks = np.flatnonzero(full)
-        found.append(int(part[ranks[np.abs(ranks - len(part) // 2).argmin()]]))
-    return found
+def _middle(part, neighbours):
+    """Of a part of the dimples the number nearest to its middle among those that have about as many
+    neighbours as any of it."""
+    full = neighbours[part] >= ABOUT * neighbours[part].max()
+    ranks = np.flatnonzero(full)
+    return int(part[ranks[np.abs(ranks - len(part) // 2).argmin()]])
 
 
 def _tilts(placed):

@@ -1,5 +1,5 @@
-"""Which values suit a texture: strategy, order, flutes, turns, feed and spindle speed that a machine holds,
-tried from the fastest on.
+"""Which values suit a texture: margin, strategy, order, flutes, turns, feed and spindle speed that a machine
+holds, tried from the fastest on.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -12,10 +12,10 @@ import FreeCAD
 import Part
 from _patchmill import InputError
 
-from patchmill.advice.found import GOOD
+from patchmill.advice.found import GOOD, SMALL
 from patchmill.machine import machines
 from patchmill.textures import strategies
-from patchmill.textures.input import TextureInput
+from patchmill.textures.division import texture_size
 from patchmill.textures.order import rows
 from patchmill.textures.plan import plan_texture
 
@@ -24,6 +24,12 @@ EXTRA_TURNS = (1.0, 2.0, 5.0)
 FEEDS = (1.0, 2.0)  # times the tool controller's
 SPEED_STEP = 1.15  # from one spindle speed that is tried to the next
 HIGHEST_SPEED = 4.0  # times the tool controller's
+# Of the spacing: a dimple nearer to a border is not whole. The first for all; the others where that leaves
+# the outermost row open, as on small inclined faces
+MARGINS = (0.48, 0.85, 1.1)
+ALIKE = 0.011  # of the faces, by which choices that are good alike may differ
+LARGE, FEW = 30000, 4  # dimples; of more, and of polygons, only every so many of the speeds are tried
+POLYGONS = (strategies.CONSTANT, strategies.FITTED)
 MIN_PERIODS_OF_TOOTH = 11.0  # servo periods, in which a lock follows a tooth (docs/rows.md)
 
 
@@ -86,29 +92,92 @@ def _stops_are_known(machine):
 def choose(assess, given, free=False, progress=None):
     """The Choice for a TextureInput: the fastest that is good at all places that were looked at, else the one
     that is good at most. `assess`: see assessment.with_simulation; `free`: the tool controller's feed and
-    speed may be changed. None if `progress` (fraction -> bool) returned False. Raises InputError where no
-    dimple can be placed whatever the strategy."""
+    speed may be changed. A margin is chosen where none is given. None if `progress` (fraction -> bool)
+    returned False. Raises InputError where no dimple can be placed whatever the strategy."""
     machine = machines.load(given.machine) if given.machine else None
-    tried = list(candidates(given, machine, free))
-    choices: list[tuple[TextureInput, Choice]] = []
+    own = {} if given.margin else {"margin": _margin(given, MARGINS[0])}
+    tried = [dict(fields, **own) for fields in candidates(given, machine, free)]
+    locked = sum(1 for fields in tried if fields["strategy"] == strategies.LOCKED)
+    rpms = speeds(given, machine) if free else []
+    choices: list[Choice] = []
+    best, stopped = None, []
+
+    def go_on(fraction):
+        if progress and not progress(fraction):
+            stopped.append(fraction)
+        return not stopped
+
     for number, fields in enumerate(tried):
-        if progress and not progress(number / len(tried)):
+        if not go_on(number / len(tried)):
             return None
-        asked = replace(given, **fields)
         try:
-            found = assess(asked, 3, first=1)
+            choice = Choice(fields, assess(replace(given, **fields), 3, middle_first=True))
         except InputError:
             if number + 1 == len(tried) and not choices:
                 raise
+            choice = None
+        if choice is not None:
+            if not choice.assessment.dimples:
+                return choice  # and there are none whatever the strategy
+            choices.append(choice)
+        if number + 1 == locked:
+            best = _of_locked(assess, given, choices, rpms, go_on)
+        elif number >= locked and choice is not None and _good_but_where_flat(choice.assessment.patches):
+            best = _fastest(assess, given, [choice], rpms, go_on)
+        if best is not None:
+            break
+    choices.sort(key=lambda choice: _rank(choice.assessment), reverse=True)
+    for choice in choices if best is None else ():
+        best = best or _fastest(assess, given, [choice], rpms, go_on)
+    best = best or (choices[0] if choices else None)
+    if stopped:
+        return None
+    return best and _with_borders(assess, given, best, own)
+
+
+def _of_locked(assess, given, choices, rpms, progress):
+    """The fastest Choice of those locked to the spindle that are good alike; where a lock holds and is short,
+    the one that is good at most, for then it is not the phase that is short; else None: others are tried."""
+    good = [choice for choice in choices if _good_but_where_flat(choice.assessment.patches)]
+    if good:
+        most = max(choice.assessment.good_fraction for choice in good)
+        alike = [choice for choice in good if choice.assessment.good_fraction > most - ALIKE]
+        return _fastest(assess, given, alike, rpms, progress)
+    for choice in sorted(choices, key=lambda choice: _rank(choice.assessment), reverse=True):
+        if all(patch.holds and not patch.problem for patch in choice.assessment.patches):
+            found = _fastest(assess, given, [choice], rpms, progress)
+            if found is not None:
+                return found
+    return None
+
+
+def _margin(given, of_spacing):
+    """Margin [mm] for a TextureInput."""
+    spacing = texture_size(given)["spacing"]
+    return round(of_spacing * spacing, 4)
+
+
+def _with_borders(assess, given, choice, own):
+    """The Choice with the first margin with which a small texture is good as a whole, else with the best of
+    them; the Choice itself where its margin is the user's or it is short for other reasons."""
+    found = choice.assessment
+    if found.dimples > SMALL or not found.good:
+        return choice
+    best = Choice(choice.fields, assess(replace(given, **choice.fields), whole=True, known=found))
+    if best.assessment.whole is None or best.assessment.borders_are_good or not own:
+        return best
+    for of_spacing in MARGINS[1:]:
+        fields = dict(choice.fields, margin=_margin(given, of_spacing))
+        asked = replace(given, **fields)
+        try:
+            other = Choice(fields, assess(asked, whole=True, known=found))
+        except InputError:
             continue
-        choice = Choice(fields, found)
-        choices.append((asked, choice))
-        if _good_but_where_flat(found.patches) and _can_be_planned(asked):
-            return _sped_up(assess, given, choice, machine, progress) if free else choice
-    choices.sort(key=lambda pair: _rank(pair[1].assessment), reverse=True)
-    planned = (choice for asked, choice in choices if _can_be_planned(asked))
-    best = next(planned, choices[0][1] if choices else None)
-    return _sped_up(assess, given, best, machine, progress) if best and free else best
+        if (other.assessment.whole or 0.0) > best.assessment.whole:
+            best = other
+        if best.assessment.good:
+            break
+    return best
 
 
 def speeds(given, machine):
@@ -126,35 +195,39 @@ def speeds(given, machine):
     return found + [int(highest)] if highest >= own + 1.0 else []
 
 
-def _sped_up(assess, given, choice, machine, progress):
-    """The Choice at the highest speed, found by bisection, at which as much is good and the whole can be
-    planned; polygons keep their shape, for the feed goes with the speed. None as choose()."""
-    ladder = speeds(given, machine)
-    low, high, best = 0, len(ladder), choice
-    while low < high:
-        if progress and not progress(low / len(ladder)):
-            return None
-        middle = (low + high + 1) // 2
-        faster = _at_speed(assess, given, choice, ladder[middle - 1])
-        if faster is not None and faster.assessment.good_fraction >= choice.assessment.good_fraction:
-            low, best = middle, faster
-        else:
-            high = middle - 1
-    return best
+def _fastest(assess, given, choices, rpms, progress):
+    """Of Choices, each at its own spindle speed and at `rpms`, the one of least time over the whole that is
+    as good as it was at its own; None where none can be planned whole, or `progress` returned False. A higher
+    speed takes longer where it makes single steps too fast."""
+    timed = []
+    for choice in choices:
+        few = choice.assessment.dimples > LARGE or choice.fields["strategy"] in POLYGONS
+        for rpm in (None, *(rpms[FEW - 1 :: FEW] if few else rpms)):
+            if not progress(0.5):
+                return None
+            fields = choice.fields if rpm is None else _at_speed(given, choice.fields, rpm)
+            seconds = _seconds(replace(given, **fields))
+            if seconds is not None:
+                timed.append((seconds, len(timed), rpm or 0.0, choice, fields))
+    too_fast: dict[int, float] = {}
+    for _, _, rpm, choice, fields in sorted(timed, key=lambda one: one[:2]):
+        if not rpm:
+            return choice
+        if rpm >= too_fast.get(id(choice), math.inf):
+            continue
+        found = assess(replace(given, **fields), 3, middle_first=True)
+        if found.good_fraction >= choice.assessment.good_fraction - 1e-9:
+            return Choice(fields, found)
+        too_fast[id(choice)] = rpm
+    return None
 
 
-def _at_speed(assess, given, choice, rpm):
-    """The Choice with another spindle speed; None where that cannot be planned."""
-    factor = rpm / (60.0 * given.spindle.speed)
-    fields = dict(choice.fields, spindle=core.Spindle(rpm / 60.0, given.spindle.sense))
-    if fields["strategy"] in (strategies.CONSTANT, strategies.FITTED):
-        fields["feed"] = factor * fields.get("feed", given.feed)
-    asked = replace(given, **fields)
-    try:
-        found = assess(asked, 3, first=1)
-    except InputError:
-        return None
-    return Choice(fields, found) if _can_be_planned(asked) else None
+def _at_speed(given, fields, rpm):
+    """Fields with another spindle speed; polygons keep their shape, for the feed goes with the speed."""
+    found = dict(fields, spindle=core.Spindle(rpm / 60.0, given.spindle.sense))
+    if fields["strategy"] in POLYGONS:
+        found["feed"] = rpm / (60.0 * given.spindle.speed) * fields.get("feed", given.feed)
+    return found
 
 
 def _good_but_where_flat(patches):
@@ -165,14 +238,16 @@ def _good_but_where_flat(patches):
     return bool(good) and max(bad, default=0.0) < min(min(good), FLAT)
 
 
-def _can_be_planned(given):
-    """Whether the whole texture can be planned, and its phase holds. Polygons go from patch to patch as they
-    go within one: of them the patches that were looked at say whether the phase does."""
+def _seconds(given):
+    """Of milling the whole texture; None where it cannot be planned or its phase is lost. Polygons go from
+    patch to patch as they go within one: of them the patches that were looked at say whether it is."""
     try:
-        verdict = plan_texture(given).pacing.verdict
+        plan = plan_texture(given)
     except InputError:
-        return False
-    return given.keeps_phase.polygons or verdict.holding == "holds"
+        return None
+    verdict = plan.pacing.verdict
+    lost = not given.keeps_phase.polygons and verdict.holding != "holds"
+    return None if lost else plan.path.statistics()["timed_seconds"]
 
 
 def _rank(found):

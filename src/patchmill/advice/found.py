@@ -4,8 +4,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from dataclasses import dataclass, field
+from typing import Optional
 
 GOOD = 0.95  # of quality: the texture as planned, to the eye and to a profilometer
+SMALL = 1500  # dimples; so many are simulated as a whole
 GOOD_FRACTION = 0.95  # of the faces' dimples
 
 
@@ -20,6 +22,7 @@ class PatchQuality:
     seconds_per_dimple: float = 0.0
     holds: bool = True  # the phase, as the machine's model says
     problem: str = ""
+    fraction: float = 1.0  # of the dimples that it stands for
 
 
 @dataclass
@@ -31,14 +34,15 @@ class Assessment:
     counts: dict
     patches: list = field(default_factory=list)  # PatchQuality, from the least to the greatest tilt
     seconds: float = 0.0  # of milling, about
+    whole: Optional[float] = None  # quality of the whole texture, borders included, where it was simulated
 
     @property
     def good_fraction(self):
         """Of the faces: milled, and of GOOD quality."""
         if not self.patches:
             return 0.0
-        good = sum(1 for patch in self.patches if patch.quality >= GOOD)
-        return self.milled_fraction * good / len(self.patches)
+        good = sum(patch.fraction for patch in self.patches if patch.quality >= GOOD)
+        return self.milled_fraction * good / sum(patch.fraction for patch in self.patches)
 
     @property
     def quality(self):
@@ -47,7 +51,12 @@ class Assessment:
 
     @property
     def good(self):
-        return self.good_fraction >= GOOD_FRACTION
+        """Whether enough of the faces is good, borders included where they were looked at."""
+        return self.good_fraction >= GOOD_FRACTION - 1e-9 and self.borders_are_good
+
+    @property
+    def borders_are_good(self):
+        return self.whole is None or self.whole >= GOOD
 
     @property
     def problem(self):

@@ -3,27 +3,30 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-import Part
-from _patchmill import DimpleState, InputError
-from FreeCAD import Rotation, Vector
+from _patchmill import InputError
 
+from patchmill.advice import orientation
 from patchmill.advice.found import GOOD, Assessment
 from patchmill.machine import machines
-from patchmill.textures.plan import place_texture, plan_texture
+from patchmill.textures.plan import plan_texture
 
-LEAST_GAIN = 0.02  # of the faces, that a remedy must make good besides
-ANGLES = (20.0, 30.0)  # that a part or a tool is leant by [degrees]
-BEST_TILTS = (14.0, 60.0)  # between tool axis and face, at which flutes cut well [degrees]
+MIN_GAIN = 0.02  # of the faces, that a remedy must make good besides
+LEAD = 20.0  # of a tool that follows the normals [degrees]
+FINER = (0.6, 0.4)  # of the spacing
+APART = 15.0  # degrees between inclinations that are both tried
+SIDEWAYS = 0.5  # cosine to Z, below which faces are looked at along their own normal
+WORTH_TRYING = 0.75  # of the faces at good tilts, by their normals
+UPRIGHT = (0.0, 0.0, 1.0)
+ENOUGH = 2  # good remedies, after which dearer ones are not tried
 
 
 @dataclass
 class Remedy:
-    """`kind`: values, incline, lean, leave out. `fields`: of a TextureInput; `axis` and `angle` [degrees]:
-    how the part is turned about its middle, or the tool the other way."""
+    """`kind`: values, incline, lean, along, finer, leave out. `fields`: of a TextureInput; `axis` and `angle`
+    [degrees]: how the part is turned about its middle, or the tool the other way."""
 
     kind: str
     fields: dict
@@ -32,118 +35,123 @@ class Remedy:
     angle: float = 0.0
 
 
-def turned(given, axis, angle):
-    """`given` with its faces turned by `angle` [degrees] about `axis` through the origin."""
-    rotation = Rotation(Vector(*axis), angle)
-    breps = []
-    for text in given.breps:
-        shape = Part.Shape()
-        shape.importBrepFromString(text)
-        shape.rotate(Vector(0, 0, 0), Vector(*axis), angle)
-        breps.append(shape.exportBrepToString())
-    origin = None if given.origin is None else tuple(rotation.multVec(Vector(*given.origin)))
-    top = max(_top(text) for text in breps)
-    above = given.safe_height - max(_top(text) for text in given.breps)
-    clear = given.clearance_height - given.safe_height
-    safe = top + above
-    return replace(given, breps=breps, origin=origin, safe_height=safe, clearance_height=safe + clear)
-
-
-def _top(text):
-    shape = Part.Shape()
-    shape.importBrepFromString(text)
-    return shape.BoundBox.ZMax
-
-
-def leanings(normals, angles=ANGLES):
-    """(fraction of normals at good tilts, angle, axis) for axes in the plane, the best first; `axis` turns
-    the part, or the tool the other way."""
-    found = []
-    for angle in angles:
-        for k in range(8):
-            azimuth = math.pi * k / 4.0
-            axis = (math.cos(azimuth), math.sin(azimuth), 0.0)
-            up = Rotation(Vector(*axis), -angle).multVec(Vector(0, 0, 1))
-            tilts = np.degrees(np.arccos(np.clip(normals @ np.array(tuple(up)), -1.0, 1.0)))
-            good = float(((tilts > BEST_TILTS[0]) & (tilts < BEST_TILTS[1])).mean())
-            found.append((round(good, 3), -angle, -k, axis))
-    return [(good, -angle, axis) for good, angle, _, axis in sorted(found, reverse=True)]
-
-
-def face_normals(given):
-    """(n, 3) normals of all lattice points that lie on the faces."""
-    dimples = place_texture(replace(given, minimum_tilt=0.01, avoid_rubbing=False, margin=0.0)).dimples
-    normals = np.asarray(dimples.normals)
-    on_faces = ~np.isin(dimples.states, (DimpleState.OFF_FACE, DimpleState.OFF_NET))
-    return normals[on_faces & np.isfinite(normals).all(axis=1)]
-
-
 class Finder:
     """Looks for remedies. `assess`: see assessment.with_simulation; `choose`: choice.choose with it.
-    `free`, `can_incline`: the tool controller, and how the part lies, may be changed, too; `chosen`: the
-    texture's values are those of choose() already."""
+    `free`, `can_incline`: the tool controller, and how the part lies, may be changed, too; `chosen`: fields
+    that choose() gave the texture, if it still has them, else None."""
 
-    def __init__(self, assess, choose, free=False, can_incline=True, chosen=False):
+    def __init__(self, assess, choose, free=False, can_incline=True, chosen=None):
         self.assess, self.choose, self.free = assess, choose, free
         self.can_incline, self.chosen = can_incline, chosen
 
     def find(self, given, progress=None):
         """The Remedies that were tried and help, the best first; None if `progress` (fraction -> bool)
         returned False."""
-        normals = face_normals(given)
+        normals, areas = orientation.face_normals(given)
         if not len(normals):
             return []
-        best = leanings(normals)[0]
-        machine = machines.load(given.machine) if given.machine else None
-        tries = [] if self.chosen else [lambda: self._values(given)]
-        if self.can_incline:
-            tries.append(lambda: self._incline(given, best))
-        if machine is not None and machine.rotary_letters:
-            tries.append(lambda: self._lean(given, best))
-        tries.append(lambda: self.leave_out(given))
         now = self._good_fraction(given)
-        found = []
-        for number, attempt in enumerate(tries):
-            if progress and not progress(number / len(tries)):
+        first, last = self._tries(given, normals, areas)
+        found: list[Remedy] = []
+        for number, attempt in enumerate(first + last):
+            if progress and not progress(number / len(first + last)):
                 return None
+            if sum(remedy.assessment.good for remedy in found) >= (ENOUGH if number < len(first) else 1):
+                break
             try:
                 remedy = attempt()
             except InputError:
                 continue
-            if remedy is not None and remedy.assessment.good_fraction > now + LEAST_GAIN:
+            if remedy is not None and _helps(remedy.assessment, now):
                 found.append(remedy)
-        return sorted(found, key=lambda r: -r.assessment.good_fraction)
+        return sorted(found, key=lambda r: (not r.assessment.good, -round(r.assessment.good_fraction, 2)))
+
+    def _tries(self, given, normals, areas):
+        """Two lists of functions that make a Remedy or None: those that keep the dimples as they were asked
+        for, and those that are tried while none is good."""
+        machine = machines.load(given.machine) if given.machine else None
+        leanings = orientation.leanings(normals, areas)
+        best, other = leanings[0], _apart(leanings)
+        whole = given
+        if self.chosen and "margin" in self.chosen:
+            given = replace(given, margin=0.0)  # each has one of its own
+        first = [] if self.chosen else [lambda: self._values(given)]
+        last = []
+        if machine is not None and machine.rotary_letters:
+            first.append(lambda: self._lean(given, best, normals, areas))
+            first.append(lambda: self._along(given, normals, areas))
+        if self.can_incline:
+            first.append(lambda: self._incline(given, best))
+        first.append(lambda: self.leave_out(whole))
+        for part in FINER if given.spacing and given.texture_kind == "Overlapping" else ():
+            flattest = part * orientation.BEST_TILTS[0]
+            if orientation.good_fraction(normals, areas, UPRIGHT, flattest) > WORTH_TRYING:
+                last.append(lambda part=part: self._finer(given, part))
+            lean = orientation.leanings(normals, areas, flattest=flattest)[0]
+            if self.can_incline and lean[0] > max(WORTH_TRYING, best[0] + MIN_GAIN):
+                last.append(lambda lean=lean, part=part: self._incline(given, lean, part))
+        if self.can_incline and other and other[0][0] > WORTH_TRYING:
+            last.extend(lambda one=one: self._incline(given, one) for one in other)
+        return first, last
 
     def _good_fraction(self, given):
-        """Of the texture as it is; 0 where it cannot be made."""
+        """Of the texture as it is; 0 where it cannot be made or its borders are bad."""
         try:
             plan_texture(given)
-            return self.assess(given, 3).good_fraction
+            found = self.assess(given, 3, whole=True)
+            return found.good_fraction if found.borders_are_good else 0.0
         except InputError:
             return 0.0
 
-    def _values(self, given):
+    def _chosen_for(self, given, kind, fields, axis=None, angle=0.0):
+        """The Remedy with values that suit `given`, whose `fields` are new; what is too flat left out
+        besides, where that makes more of it good."""
         choice = self.choose(given, self.free)
-        return choice and Remedy("values", choice.fields, choice.assessment)
+        if choice is None:
+            return None
+        remedy = Remedy(kind, {**fields, **choice.fields}, choice.assessment, axis, angle)
+        if remedy.assessment.good or not _flat_is_short(remedy.assessment):
+            return remedy
+        try:
+            rest = self.leave_out(replace(given, **choice.fields))
+        except InputError:
+            rest = None
+        if rest is not None and rest.assessment.good_fraction > remedy.assessment.good_fraction:
+            remedy.fields.update(rest.fields)
+            remedy.assessment = rest.assessment
+        return remedy
 
-    def _incline(self, given, leaning):
+    def _values(self, given):
+        return self._chosen_for(given, "values", {})
+
+    def _incline(self, given, leaning, finer=None):
         _, angle, axis = leaning
-        choice = self.choose(turned(given, axis, angle), self.free)
-        return choice and Remedy("incline", choice.fields, choice.assessment, axis, angle)
+        fields = {} if finer is None else _finer_fields(given, finer)
+        asked = orientation.turned(replace(given, **fields), axis, angle)
+        return self._chosen_for(asked, "incline", fields, axis, angle)
 
-    def _lean(self, given, leaning):
+    def _lean(self, given, leaning, normals, areas):
         """The tool leant as the part would be, the other way round."""
         _, angle, axis = leaning
-        up = Rotation(Vector(*axis), -angle).multVec(Vector(0, 0, 1))
-        fields = {"tool_axis_mode": "Fixed", "fixed_axis": tuple(up)}
-        choice = self.choose(replace(given, **fields), self.free)
-        fields.update(choice.fields if choice else {})
-        return choice and Remedy("lean", fields, choice.assessment, axis, angle)
+        fields = {"tool_axis_mode": "Fixed", "fixed_axis": orientation.up_of(axis, angle)}
+        fields.update(_seen_from(normals, areas))
+        return self._chosen_for(replace(given, **fields), "lean", fields, axis, angle)
+
+    def _along(self, given, normals, areas):
+        """The tool follows the normals, at an angle to them."""
+        fields = {"tool_axis_mode": "Normal", "lead": LEAD, "tilt": 0.0}
+        fields.update(_seen_from(normals, areas))
+        return self._chosen_for(replace(given, **fields), "along", fields, angle=LEAD)
+
+    def _finer(self, given, part):
+        """Smaller dimples need less tilt."""
+        fields = _finer_fields(given, part)
+        return self._chosen_for(replace(given, **fields), "finer", fields)
 
     def leave_out(self, given):
         """Remedy that leaves out what is too flat, or None: below the least tilt from which on all patches
         that were looked at are good."""
-        found = self.assess(given, 7)
+        found = self.assess(given, 5)
         flat = max((p.tilt for p in found.patches if p.quality < GOOD), default=None)
         good = [p.tilt for p in found.patches if p.quality >= GOOD and flat is not None and p.tilt > flat]
         if not good:
@@ -151,4 +159,31 @@ class Finder:
         fields = {"minimum_tilt": round(0.5 * (flat + min(good)), 1)}
         asked = replace(given, **fields)
         plan_texture(asked)
-        return Remedy("leave out", fields, self.assess(asked, 3))
+        return Remedy("leave out", fields, self.assess(asked, 3, whole=True))
+
+
+def _flat_is_short(found):
+    """Whether of an Assessment's patches a bad one is flatter than a good one."""
+    good = [p.tilt for p in found.patches if p.quality >= GOOD]
+    return any(p.quality < GOOD and p.tilt < max(good, default=0.0) for p in found.patches)
+
+
+def _helps(found, now):
+    """Whether an Assessment is more than MIN_GAIN better than what is good `now`."""
+    return found.borders_are_good and found.good_fraction > now + MIN_GAIN
+
+
+def _apart(leanings):
+    """The best of those that lean clearly more or less than the first."""
+    first = leanings[0][1]
+    return [lean for lean in leanings if abs(lean[1] - first) >= APART][:1]
+
+
+def _seen_from(normals, areas):
+    """Fields that look at faces from where they are seen, if that is not from above."""
+    mean = (normals * areas[:, None]).sum(axis=0) / areas.sum()
+    return {"auto_direction": True} if mean[2] < SIDEWAYS * max(np.linalg.norm(mean), 1e-9) else {}
+
+
+def _finer_fields(given, part):
+    return {"spacing": round(part * given.spacing, 3)}

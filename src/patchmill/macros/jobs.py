@@ -32,6 +32,8 @@ KINDS = {
     "Calibration": "CalibrationPatch",
 }
 
+FOLLOWED = {"Machine"}  # properties that the values of one click are chosen for
+
 
 def job(
     part: Any,
@@ -72,7 +74,9 @@ def job(
 def texture(job: Any, faces: Any, kind: str = "Curved", name: str = "Texture", **properties: Any) -> Any:
     """A texture operation of the job on `faces` (as patchmill.faces takes them), not recomputed. kind:
     Planar, Pyramid, Curved or Calibration. `properties`: its properties by name, lengths in mm, angles
-    in degrees. Raises InputError naming kind, Faces or the property."""
+    in degrees; without any but Machine a texture gets the values that suit it, as by one click in
+    the GUI, feed and speed of a tool controller that no other operation uses among them. Raises InputError
+    naming kind, Faces or the property."""
     if kind not in KINDS:
         raise InputError("kind", repr(kind), "give one of: %s." % ", ".join(KINDS))
     model = job.Model.Group[0]
@@ -86,6 +90,8 @@ def texture(job: Any, faces: Any, kind: str = "Curved", name: str = "Texture", *
         operation.Decimals = decimals_of(job)
     set_properties(operation, properties)
     operation.Proxy.refresh_heights(operation)
+    if kind != "Calibration" and not set(properties) - FOLLOWED:
+        patchmill.choose_values(operation)
     return operation
 
 

@@ -1,0 +1,93 @@
+"""How a part is to lie, or a tool to lean, so that flutes and not the tip mill its faces.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import Part
+from FreeCAD import Rotation, Vector
+
+# Of a lean [degrees]
+ANGLES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 110.0, 125.0, 140.0, 160.0)
+AZIMUTHS = 16  # of its axis
+# Between tool axis and face [degrees]: at flatter places the tip comes near, at steeper ones the projected
+# lattice is stretched, and outermost rows need a wider margin
+BEST_TILTS = (14.0, 28.0)
+STEEP, STEEP_COUNTS = 78.0, 0.7  # up to which tilt, and as how much of a good one, the steepest places count
+PER_DEGREE = 0.0005  # of the faces, that a degree of leaning must gain
+COARSE = 0.02  # of the faces' size: how far triangles may be off a face whose normals are asked for
+
+
+def face_normals(given):
+    """((n, 3) outward unit normals, (n,) areas [mm²]) of triangles of a TextureInput's faces."""
+    normals, areas = [], []
+    for text in given.breps:
+        shape = shape_of(text)
+        for face in shape.Faces:
+            points, triangles = face.tessellate(COARSE * max(face.BoundBox.DiagonalLength, 1e-6))
+            corners = np.array([tuple(p) for p in points])[np.array(triangles, dtype=int).reshape(-1, 3)]
+            cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+            length = np.linalg.norm(cross, axis=1)
+            there = length > 0.0
+            normals.append(cross[there] / length[there, None])
+            areas.append(0.5 * length[there])
+    if not normals:
+        return np.zeros((0, 3)), np.zeros(0)
+    return np.concatenate(normals), np.concatenate(areas)
+
+
+def leanings(normals, areas=None, angles=ANGLES, flattest=BEST_TILTS[0]):
+    """(fraction of the faces at good tilts, angle, axis) for axes in the plane, the best first; `axis` turns
+    the part by `angle` [degrees], or the tool the other way. A small angle is better than a large one that
+    gains next to nothing. `flattest`: the least good tilt [degrees]."""
+    weights = np.ones(len(normals)) if areas is None else np.asarray(areas)
+    found = []
+    for angle in angles:
+        for k in range(AZIMUTHS):
+            azimuth = 2.0 * math.pi * k / AZIMUTHS
+            axis = (math.cos(azimuth), math.sin(azimuth), 0.0)
+            good = good_fraction(normals, weights, up_of(axis, angle), flattest)
+            found.append((round(good - PER_DEGREE * angle, 4), -angle, -k, round(good, 3), axis))
+    return [(good, -angle, axis) for _, angle, _, good, axis in sorted(found, reverse=True)]
+
+
+def good_fraction(normals, weights, up, flattest=BEST_TILTS[0]):
+    """Of the faces, what lies at good tilts to a tool axis `up`; steep places count for a part."""
+    tilts = np.degrees(np.arccos(np.clip(normals @ np.asarray(up), -1.0, 1.0)))
+    counts = np.interp(tilts, (BEST_TILTS[1], STEEP), (1.0, STEEP_COUNTS))
+    return float((weights * counts * (tilts > flattest) * (tilts < STEEP)).sum() / weights.sum())
+
+
+def up_of(axis, angle):
+    """The direction that becomes Z when a part is turned by `angle` [degrees] about `axis`."""
+    return tuple(Rotation(Vector(*axis), -angle).multVec(Vector(0, 0, 1)))
+
+
+def turned(given, axis, angle):
+    """`given` with its faces turned by `angle` [degrees] about `axis` through the origin."""
+    rotation = Rotation(Vector(*axis), angle)
+    breps = []
+    for text in given.breps:
+        shape = shape_of(text)
+        shape.rotate(Vector(0, 0, 0), Vector(*axis), angle)
+        breps.append(shape.exportBrepToString())
+    origin = None if given.origin is None else tuple(rotation.multVec(Vector(*given.origin)))
+    top = max(_top(text) for text in breps)
+    above = given.safe_height - max(_top(text) for text in given.breps)
+    clear = given.clearance_height - given.safe_height
+    safe = top + above
+    return replace(given, breps=breps, origin=origin, safe_height=safe, clearance_height=safe + clear)
+
+
+def shape_of(text):
+    """The Part.Shape of a BREP text."""
+    shape = Part.Shape()
+    shape.importBrepFromString(text)
+    return shape
+
+
+def _top(text):
+    return shape_of(text).BoundBox.ZMax
