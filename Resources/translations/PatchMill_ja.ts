@@ -436,10 +436,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time of all moves but rapids, in seconds</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Distance of neighbouring dimples</source>
         <translation type="unfinished"></translation>
     </message>
@@ -558,6 +554,26 @@
     <message>
         <source>Path to modify</source>
         <translation>修正する経路</translation>
+    </message>
+    <message>
+        <source>Number of the patch, in milling order, with which the program ends; 0: with the last one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop before each patch if the operator has switched optional stops on (M1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting end and flutes may cut so deep below the model, besides Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting end and flutes may cut so deep below the model, besides the tolerance of copy milling under it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of all moves, rapids too, in seconds</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1991,6 +2007,66 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     <message>
         <source>Pattern</source>
         <translation>パターン</translation>
+    </message>
+    <message>
+        <source>Quality {} with the borders of the faces, {} inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the tool follow the faces, leant {:.0f}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a smaller spacing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, spacing {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, leave out what is too flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation type="unfinished">主軸回転数</translation>
+    </message>
+    <message>
+        <source>Find the best speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trying other speeds …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No speed from S{} to S{} holds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S{} takes {:.0f} s, the phase off by up to {:.1f}°. None that holds is faster.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set S{}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other operations use this tool controller: give this one its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last patch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patch stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counted from</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -112,6 +112,17 @@ TEXTS = (
         "Number of the patch, in milling order, with which the program begins; 1: all "
         "are milled",
     ),
+    QT_TRANSLATE_NOOP("PatchMill", "Last patch"),
+    QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Number of the patch, in milling order, with which the program ends; 0: with the "
+        "last one",
+    ),
+    QT_TRANSLATE_NOOP("PatchMill", "Patch stops"),
+    QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Stop before each patch if the operator has switched optional stops on (M1)",
+    ),
     QT_TRANSLATE_NOOP("PatchMill", "Patch comments"),
     QT_TRANSLATE_NOOP("App::Property", "Begin each patch with a comment that has its number"),
     QT_TRANSLATE_NOOP("PatchMill", "Direction"),
@@ -336,6 +347,10 @@ TEXTS = (
     QT_TRANSLATE_NOOP("App::Property", "Left by roughing for the last pass"),
     QT_TRANSLATE_NOOP("PatchMill", "Tolerance"),
     QT_TRANSLATE_NOOP("App::Property", "Of the path from the model"),
+    QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Cutting end and flutes may cut so deep below the model, besides Tolerance",
+    ),
     QT_TRANSLATE_NOOP("PatchMill", "Controls"),
     QT_TRANSLATE_NOOP("PatchMill", "DCM"),
     QT_TRANSLATE_NOOP("App::Property", "What is taken from the voxel model"),
@@ -409,6 +424,11 @@ TEXTS = (
     ),
     QT_TRANSLATE_NOOP("PatchMill", "Holder clearance"),
     QT_TRANSLATE_NOOP("App::Property", "That is kept between holder and part"),
+    QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Cutting end and flutes may cut so deep below the model, besides the tolerance "
+        "of copy milling under it",
+    ),
     QT_TRANSLATE_NOOP("PatchMill", "Deflection"),
     QT_TRANSLATE_NOOP("App::Property", "Of the triangles that stand for the shapes"),
     QT_TRANSLATE_NOOP("PatchMill", "Memory limit"),
@@ -417,7 +437,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("App::Property", "Lattice points left out, by reason"),
     QT_TRANSLATE_NOOP("App::Property", "Mean spindle turns from dimple to dimple"),
     QT_TRANSLATE_NOOP("App::Property", "Whether the machine can hold the phase"),
-    QT_TRANSLATE_NOOP("App::Property", "Time of all moves but rapids, in seconds"),
+    QT_TRANSLATE_NOOP("App::Property", "Time of all moves, rapids too, in seconds"),
     QT_TRANSLATE_NOOP("App::Property", "Distance of neighbouring dimples"),
     QT_TRANSLATE_NOOP("App::Property", "Depth of the dimples"),
     QT_TRANSLATE_NOOP("App::Property", "Diameter of a dimple's rim"),
@@ -515,5 +535,6 @@ TEXTS = (
     QT_TRANSLATE_NOOP("PatchMill", "calibration"),
     QT_TRANSLATE_NOOP("PatchMill", "spindle rpm"),
     QT_TRANSLATE_NOOP("PatchMill", "pitch"),
+    QT_TRANSLATE_NOOP("PatchMill", "counted from"),
     QT_TRANSLATE_NOOP("PatchMill", "rotary axis B"),
 )
