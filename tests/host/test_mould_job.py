@@ -28,6 +28,7 @@ CASES = [  # post, machine of the textures, strategy of the first, work offsets,
     ("patchmill_siemens", "locked-head-table-bc", LOCKED, BOTH, 4),
     ("patchmill_heidenhain", "nutating-table-bc-45", TIMED, ("G54",), 4),
     ("patchmill_grblhal", "", CONSTANT, BOTH, 4),
+    ("patchmill_haas", "", CONSTANT, BOTH, 4),
     ("linuxcnc", "table-table-ac", TIMED, ("G54",), 4),
 ]
 OPERATIONS = ["Locked", "Tilted", "Face", "Pocket", "Drilling", "Profile", "Copy"]
