@@ -27,6 +27,7 @@ KINDS = {
     "nutating-head-bc-45": ("CB", ["table", "head"]),
     "linuxcnc-mill": ("", []),
     "open-loop-mill": ("", []),
+    "haas-mill": ("", []),
 }
 
 
