@@ -182,6 +182,8 @@ TEST(Tool, WrongShaftsAreRefusedByName) {
   EXPECT_EQ(refused({10.0, -3.0, 30.0, {}}), "ShankRadius");
   EXPECT_EQ(refused({10.0, 3.0, -30.0, {}}), "StickOut");
   EXPECT_EQ(refused({10.0, 3.0, 30.0, {{60.0, 30.0, 10.0, 10.0}}}), "ToolSection");
+  EXPECT_EQ(refused({10.0, 3.0, 30.0, {{0.0, 60.0, 10.0, 10.0}}}), "");  // from the tip on
+  EXPECT_EQ(refused({10.0, 3.0, 30.0, {{-1e-9, 60.0, 10.0, 10.0}}}), "ToolSection");
   EXPECT_EQ(refused({10.0, 3.0, 30.0, {{30.0, 60.0, 10.0, -1.0}}}), "ToolSection");
 }
 
