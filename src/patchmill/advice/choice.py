@@ -12,7 +12,7 @@ import FreeCAD
 import Part
 from _patchmill import InputError
 
-from patchmill.advice.found import GOOD, SMALL
+from patchmill.advice.found import GOOD, SMALL, Assessment
 from patchmill.machine import machines
 from patchmill.textures import strategies
 from patchmill.textures.division import texture_size
@@ -39,7 +39,7 @@ class Choice:
     they may be changed, and what they give."""
 
     fields: dict
-    assessment: object  # Assessment
+    assessment: Assessment
 
 
 def candidates(given, machine, free):
@@ -199,7 +199,7 @@ def _fastest(assess, given, choices, rpms, progress):
     """Of Choices, each at its own spindle speed and at `rpms`, the one of least time over the whole that is
     as good as it was at its own; None where none can be planned whole, or `progress` returned False. A higher
     speed takes longer where it makes single steps too fast."""
-    timed = []
+    timed: list = []
     for choice in choices:
         few = choice.assessment.dimples > LARGE or choice.fields["strategy"] in POLYGONS
         for rpm in (None, *(rpms[FEW - 1 :: FEW] if few else rpms)):

@@ -4,6 +4,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from _patchmill import InputError
@@ -86,12 +87,12 @@ class Finder:
         for part in FINER if given.spacing and given.texture_kind == "Overlapping" else ():
             flattest = part * orientation.BEST_TILTS[0]
             if orientation.good_fraction(normals, areas, UPRIGHT, flattest) > WORTH_TRYING:
-                last.append(lambda part=part: self._finer(given, part))
+                last.append(partial(self._finer, given, part))
             lean = orientation.leanings(normals, areas, flattest=flattest)[0]
             if self.can_incline and lean[0] > max(WORTH_TRYING, best[0] + MIN_GAIN):
-                last.append(lambda lean=lean, part=part: self._incline(given, lean, part))
+                last.append(partial(self._incline, given, lean, part))
         if self.can_incline and other and other[0][0] > WORTH_TRYING:
-            last.extend(lambda one=one: self._incline(given, one) for one in other)
+            last.extend(partial(self._incline, given, one) for one in other)
         return first, last
 
     def _good_fraction(self, given):
@@ -182,7 +183,7 @@ def _apart(leanings):
 def _seen_from(normals, areas):
     """Fields that look at faces from where they are seen, if that is not from above."""
     mean = (normals * areas[:, None]).sum(axis=0) / areas.sum()
-    return {"auto_direction": True} if mean[2] < SIDEWAYS * max(np.linalg.norm(mean), 1e-9) else {}
+    return {"auto_direction": True} if mean[2] < SIDEWAYS * max(float(np.linalg.norm(mean)), 1e-9) else {}
 
 
 def _finer_fields(given, part):
