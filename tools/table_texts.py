@@ -18,7 +18,7 @@ from patchmill.operations.pyramid_texture import ObjectPyramidTexture
 from patchmill.operations.texture_operation import ObjectTexture
 from patchmill.properties.property_table import ENUMERATION, label_of
 
-FILE = pathlib.Path(__file__).resolve().parents[1] / "Resources" / "translations" / "table_texts.py"
+FILE = pathlib.Path(__file__).resolve().parents[1] / "Resources" / "translations" / "table_texts.js"
 TABLES = (
     ObjectTexture.properties(),
     ObjectPlanarTexture.OWN_PROPERTIES,
@@ -45,15 +45,9 @@ SIMULATED = (  # the names in SimulatedTexture.rows
     "quality, 0 to 1",
 )
 ARRAYS = ("square", "staggered", "oblique", "irregular")
-HEAD = '''"""Texts that are shown from tables: made by tools/table_texts.py for lupdate, read by nobody else.
-
-SPDX-License-Identifier: LGPL-2.1-or-later
+HEAD = """// Texts that are shown from tables: made by tools/table_texts.py for lupdate, read by nobody else.
+// SPDX-License-Identifier: LGPL-2.1-or-later
 """
-
-from patchmill.freecad.translate import QT_TRANSLATE_NOOP
-
-TEXTS = (
-'''
 
 
 def texts():
@@ -73,27 +67,12 @@ def texts():
 
 
 def text_of_file():
-    """What is in FILE."""
-    return HEAD + "".join(_call(context, text) for context, text in texts()) + ")\n"
+    """What is in FILE, a call to each line: lupdate reads JavaScript too, and joins no strings there."""
+    return HEAD + "".join(_call(context, text) for context, text in texts())
 
 
-def _call(context, text, most=80):
-    """The lines that mark a text, in pieces if it is long."""
-    pieces = []
-    while len(text) > most:
-        cut = text.rindex(" ", 0, most) + 1
-        pieces.append(text[:cut])
-        text = text[cut:]
-    said = [json.dumps(piece, ensure_ascii=False) for piece in pieces + [text]]
-    line = "    QT_TRANSLATE_NOOP(%s, %s),\n" % (json.dumps(context), said[0])
-    if len(said) == 1 and len(line) <= 110:
-        return line
-    rest = "".join("        %s\n" % piece for piece in said[:-1])
-    return "    QT_TRANSLATE_NOOP(\n        %s,\n%s        %s,\n    ),\n" % (
-        json.dumps(context),
-        rest,
-        said[-1],
-    )
+def _call(context, text):
+    return "QT_TRANSLATE_NOOP(%s, %s);\n" % tuple(json.dumps(t, ensure_ascii=False) for t in (context, text))
 
 
 if __name__ == "__main__":
