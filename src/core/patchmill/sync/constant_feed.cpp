@@ -26,7 +26,7 @@ void require_valid(const ConstantFeed& rule, const Tool& tool, const Spindle& sp
   require_heights(rule.safe_height, rule.clearance_height);
 }
 
-// The path as it grows: each step is owed what the rounding of those before it has left, so it is made one by one.
+// The path as it grows: each step makes up for the rounding of those before it, so they are made one by one.
 class Polygons {
  public:
   Polygons(ToolPath& path, const ConstantFeed& rule, double turns_per_mm, double feed,
