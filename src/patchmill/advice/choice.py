@@ -199,7 +199,7 @@ def _fastest(assess, given, choices, rpms, progress):
     """Of Choices, each at its own spindle speed and at `rpms`, the one of least time over the whole that is
     as good as it was at its own; None where none can be planned whole, or `progress` returned False. A higher
     speed takes longer where it makes single steps too fast."""
-    timed: list = []
+    timed: list[tuple] = []
     for choice in choices:
         few = choice.assessment.dimples > LARGE or choice.fields["strategy"] in POLYGONS
         for rpm in (None, *(rpms[FEW - 1 :: FEW] if few else rpms)):

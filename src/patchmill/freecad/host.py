@@ -216,8 +216,9 @@ def add_ball_end_controller(
     controller.Label = "Ball end mill %g mm" % diameter_mm
     controller.HorizFeed = feed_mm_min / 60.0
     controller.VertFeed = feed_mm_min / 60.0
-    controller.HorizRapid = 100.0
-    controller.VertRapid = 100.0
+    for name in ("HorizRapid", "VertRapid"):
+        controller.setExpression(name, None)  # of the setup sheet, whose rapids are 0 until they are told
+        setattr(controller, name, 100.0)
     controller.SpindleSpeed = speed_rpm
     controller.SpindleDir = direction
     if hasattr(controller.Tool, "SpindleDirection"):

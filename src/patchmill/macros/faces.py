@@ -5,7 +5,7 @@
     patchmill.faces(shape, {"nearest": [0, 0, 12]})                 # mm
     patchmill.faces(shape, {"names": ["Face2", "Face3"]})
     patchmill.faces(part, {"colour": "#ff0000"})                    # a document object, or its clone in a job
-    patchmill.faces(part, {"label": "Cover"})                         # what it shares with the object so called
+    patchmill.faces(part, {"label": "Cover"})                       # what it shares with the object so called
 
 Of equals the face with the lowest number is taken.
 
