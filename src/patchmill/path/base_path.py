@@ -110,7 +110,8 @@ def _add(base, number, name, parameters, start, end, feed, label):
 
 def _centre(label, name, parameters, start, end):
     """(x, y) of an arc's centre, which its I and J say from its start."""
-    if parameters.get("K") or not (parameters.get("I") or parameters.get("J")):
+    beside = abs(parameters.get("K", 0.0)) > 1e-6  # mm; FreeCAD's ramps have K of 1e-17
+    if beside or not (parameters.get("I") or parameters.get("J")):
         raise InputError(label, name, "an arc needs its centre by I and J, in the XY plane.")
     centre = (start[0] + parameters.get("I", 0.0), start[1] + parameters.get("J", 0.0))
     off = abs(math.dist(start[:2], centre) - math.dist(end[:2], centre))
