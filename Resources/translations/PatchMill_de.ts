@@ -575,6 +575,18 @@
         <source>Time of all moves, rapids too, in seconds</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Tool controller of the operation that is modified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time that FreeCAD counts for the job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the operation that is modified is switched on</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PatchMill</name>
@@ -2010,63 +2022,63 @@ Spindel {:.0f}°</translation>
     </message>
     <message>
         <source>Quality {} with the borders of the faces, {} inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Güte {} mit den Rändern der Flächen, {} innen</translation>
     </message>
     <message>
         <source>Let the tool follow the faces, leant {:.0f}°</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug den Flächen folgen lassen, um {:.0f}° geneigt</translation>
     </message>
     <message>
         <source>Choose a smaller spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen kleineren Abstand wählen</translation>
     </message>
     <message>
         <source>{}, spacing {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, Abstand {}</translation>
     </message>
     <message>
         <source>{}, leave out what is too flat</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, zu Flaches auslassen</translation>
     </message>
     <message>
         <source>Spindle speed</source>
-        <translation type="unfinished">Spindeldrehzahl</translation>
+        <translation>Spindeldrehzahl</translation>
     </message>
     <message>
         <source>Find the best speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beste Drehzahl suchen</translation>
     </message>
     <message>
         <source>Trying other speeds …</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Drehzahlen werden versucht …</translation>
     </message>
     <message>
         <source>No speed from S{} to S{} holds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Drehzahl von S{} bis S{} hält die Phase.</translation>
     </message>
     <message>
         <source>S{} takes {:.0f} s, the phase off by up to {:.1f}°. None that holds is faster.</source>
-        <translation type="unfinished"></translation>
+        <translation>S{} braucht {:.0f} s, die Phase weicht um bis zu {:.1f}° ab. Keine, die hält, ist schneller.</translation>
     </message>
     <message>
         <source>Set S{}</source>
-        <translation type="unfinished"></translation>
+        <translation>S{} einstellen</translation>
     </message>
     <message>
         <source>Other operations use this tool controller: give this one its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Operationen benutzen diese Werkzeugsteuerung: dieser eine eigene geben.</translation>
     </message>
     <message>
         <source>Last patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Letztes Feld</translation>
     </message>
     <message>
         <source>Patch stops</source>
-        <translation type="unfinished"></translation>
+        <translation>Halt zwischen Feldern</translation>
     </message>
     <message>
         <source>counted from</source>
-        <translation type="unfinished"></translation>
+        <translation>gezählt von</translation>
     </message>
 </context>
 <context>

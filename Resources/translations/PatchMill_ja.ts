@@ -575,6 +575,18 @@
         <source>Time of all moves, rapids too, in seconds</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Tool controller of the operation that is modified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time that FreeCAD counts for the job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the operation that is modified is switched on</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PatchMill</name>
@@ -2010,63 +2022,63 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     </message>
     <message>
         <source>Quality {} with the borders of the faces, {} inside</source>
-        <translation type="unfinished"></translation>
+        <translation>品質は面の縁を含めて {}、内側で {}</translation>
     </message>
     <message>
         <source>Let the tool follow the faces, leant {:.0f}°</source>
-        <translation type="unfinished"></translation>
+        <translation>工具を面に沿わせ、{:.0f}° 傾ける</translation>
     </message>
     <message>
         <source>Choose a smaller spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>間隔を小さくする</translation>
     </message>
     <message>
         <source>{}, spacing {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}、間隔 {}</translation>
     </message>
     <message>
         <source>{}, leave out what is too flat</source>
-        <translation type="unfinished"></translation>
+        <translation>{}、平らすぎる所を除く</translation>
     </message>
     <message>
         <source>Spindle speed</source>
-        <translation type="unfinished">主軸回転数</translation>
+        <translation>主軸回転数</translation>
     </message>
     <message>
         <source>Find the best speed</source>
-        <translation type="unfinished"></translation>
+        <translation>最適な回転数を探す</translation>
     </message>
     <message>
         <source>Trying other speeds …</source>
-        <translation type="unfinished"></translation>
+        <translation>他の回転数を試しています …</translation>
     </message>
     <message>
         <source>No speed from S{} to S{} holds.</source>
-        <translation type="unfinished"></translation>
+        <translation>S{} から S{} までに位相を保つ回転数はありません。</translation>
     </message>
     <message>
         <source>S{} takes {:.0f} s, the phase off by up to {:.1f}°. None that holds is faster.</source>
-        <translation type="unfinished"></translation>
+        <translation>S{} では {:.0f} 秒、位相のずれは最大 {:.1f}°。位相を保つものでこれより速いものはありません。</translation>
     </message>
     <message>
         <source>Set S{}</source>
-        <translation type="unfinished"></translation>
+        <translation>S{} にする</translation>
     </message>
     <message>
         <source>Other operations use this tool controller: give this one its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>このツールコントローラーは他の操作も使っています。専用のものを与えてください。</translation>
     </message>
     <message>
         <source>Last patch</source>
-        <translation type="unfinished"></translation>
+        <translation>最後のパッチ</translation>
     </message>
     <message>
         <source>Patch stops</source>
-        <translation type="unfinished"></translation>
+        <translation>パッチ間の停止</translation>
     </message>
     <message>
         <source>counted from</source>
-        <translation type="unfinished"></translation>
+        <translation>数え始め</translation>
     </message>
 </context>
 <context>

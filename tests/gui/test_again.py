@@ -20,6 +20,7 @@ class Again(driver.TexturedTest):
         sys.excepthook = lambda *error: self.told.append("".join(traceback.format_exception(*error)))
 
     def test_a_panel_opens_every_time(self):
+        kept = []  # as something may keep them: what is left of one must not be in the way of the next
         for _ in range(6):
             for command in ("PatchMill_Simulate", "PatchMill_Play"):
                 driver.run_on(self.operation, command)
@@ -27,7 +28,9 @@ class Again(driver.TexturedTest):
                 FreeCADGui.Control.closeDialog()
             self.operation.ViewObject.Document.setEdit(self.operation.ViewObject, 0)
             self.assertTrue(driver.panel_open())
-            driver.panel_of(self.operation).reject()
+            self.assertEqual([panel.buttonBox for panel in kept], [None] * len(kept))
+            kept.append(driver.panel_of(self.operation))
+            kept[-1].reject()
             self.assertFalse(driver.panel_open())
         self.assertEqual(self.told, [])
 

@@ -4,6 +4,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import typing
+import weakref
 
 import FreeCAD
 import FreeCADGui
@@ -16,6 +17,7 @@ from patchmill_gui.forms.widgets import forget_closed_panels, guard_editors, let
 
 
 NativeView: typing.Any = native("operation").ViewProvider
+_with_buttons: weakref.WeakSet = weakref.WeakSet()  # panels that hold the box of FreeCAD's buttons
 NativePanel: typing.Any = native("operation").TaskPanel
 NativePage: typing.Any = native("operation").TaskPanelPage
 
@@ -49,6 +51,8 @@ class OperationView(NativeView):
         if mode != 0:
             return False
         vobj = vobj if vobj is not None and hasattr(vobj, "Object") else self.vobj
+        for panel in list(_with_buttons):
+            panel.let_buttons_go()
         forget_closed_panels()
         page = self.getTaskPanelOpPage(vobj.Object)
         page.setTitle(self.OpName)
@@ -73,9 +77,24 @@ class OperationPanel(NativePanel):
         for page in self.featurePages:
             guard_editors(page.form)  # also FreeCAD's own
 
+    def modifyStandardButtons(self, buttonBox):
+        super().modifyStandardButtons(buttonBox)
+        _with_buttons.add(self)
+
+    def let_buttons_go(self):
+        """After the panel was closed: FreeCAD's class keeps the box of its buttons, and a widget that is made
+        at the address of the deleted box would be taken for it (forget_closed_panels)."""
+        self.buttonBox = None
+        for page in self.featurePages:
+            if hasattr(page, "getPoint"):
+                page.getPoint.buttonBox = None
+        _with_buttons.discard(self)
+
     def pageDirtyChanged(self, page):
         """Enables Apply. FreeCAD takes the buttons of a panel away before it forgets the panel: a page that
         changes meanwhile changes nothing that is still shown."""
+        if self.buttonBox is None:
+            return
         try:
             super().pageDirtyChanged(page)
         except RuntimeError as gone:

@@ -10,9 +10,21 @@ from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from patchmill.machine import machining_time
 
 PROPERTIES = [
-    ("App::PropertyLink", "ToolController", "Tool controller of the operation that is modified"),
-    ("App::PropertyString", "CycleTime", "Time that FreeCAD counts for the job"),
-    ("App::PropertyBool", "Active", "Whether the operation that is modified is switched on"),
+    (
+        "App::PropertyLink",
+        "ToolController",
+        QT_TRANSLATE_NOOP("App::Property", "Tool controller of the operation that is modified"),
+    ),
+    (
+        "App::PropertyString",
+        "CycleTime",
+        QT_TRANSLATE_NOOP("App::Property", "Time that FreeCAD counts for the job"),
+    ),
+    (
+        "App::PropertyBool",
+        "Active",
+        QT_TRANSLATE_NOOP("App::Property", "Whether the operation that is modified is switched on"),
+    ),
 ]
 HIDDEN = 2  # FreeCAD's editor mode
 
@@ -21,7 +33,7 @@ def add(obj):
     """Adds the properties that `obj` lacks, and gives them what they have below it."""
     for kind, name, tip in PROPERTIES:
         if not hasattr(obj, name):
-            obj.addProperty(kind, name, "Base", QT_TRANSLATE_NOOP("App::Property", tip))
+            obj.addProperty(kind, name, "Base", tip)
         obj.setEditorMode(name, HIDDEN)
     follow(obj)
 
