@@ -1,4 +1,4 @@
-// What Haas mills have otherwise than the controls that they resemble, as their operator's manual says it.
+// What Haas mills have otherwise than the controls that they resemble, as public summaries of their G-codes say.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/controls/control.h"
 #include "patchmill/gcode/gcode_reader.h"

@@ -163,11 +163,11 @@ TEST(Calibration, CorrectionTurnsTheSpindleOnByWhatIsMissing) {
     }
     return turns;
   };
-  EXPECT_NEAR(until_first(corrected) - until_first(path), 130.0 / 360.0, 1e-4);  // the decimals
+  EXPECT_NEAR(until_first(corrected) - until_first(path), 130.0 / 360.0, 1e-12);
   EXPECT_NEAR(
       (corrected.moves[2].end.tip - corrected.moves[1].end.tip).norm() / corrected.moves[2].turns,
-      (path.moves[2].end.tip - path.moves[1].end.tip).norm() / path.moves[2].turns, 1e-9)
-      << "the pitch stays, and so does what getting to speed costs";
+      (path.moves[2].end.tip - path.moves[1].end.tip).norm() / path.moves[2].turns, 1e-5)
+      << "but for the decimals the pitch stays, and so does what getting to speed costs";
   EXPECT_EQ(corrected.moves.size(), path.moves.size());
   EXPECT_EQ(until_first(with_start_phase(path, Angle(), kPeriod, kDecimals)), until_first(path));
   EXPECT_THROW(with_start_phase(path, kPeriod, kPeriod, kDecimals), InputError);

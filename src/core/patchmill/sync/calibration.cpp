@@ -106,7 +106,9 @@ ToolPath with_start_phase(ToolPath path, Angle start_phase, Angle period,
     const double pitch = way.norm() / move.turns;
     Move& before = path.moves[i - 1];
     before.end.tip = decimals.round(Vec3(before.end.tip - way.normalized() * (missing * pitch)));
-    move.turns = (move.end.tip - before.end.tip).norm() / pitch;
+    // a lock has its turns exactly, and a K that differs by the rounding; a feed has to be kept
+    move.turns = move.pace == Pace::SpindleLocked ? move.turns + missing
+                                                  : (move.end.tip - before.end.tip).norm() / pitch;
     return path;
   }
   throw InputError("Path", "no way in",

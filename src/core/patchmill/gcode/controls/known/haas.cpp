@@ -1,8 +1,8 @@
-// Haas mills (next generation control), from their operator's manual: O number between two % signs, G234 H and G49
-// for TCP, G61 and G64 for corners, G154 P1 to P99 for further work offsets. P of a dwell is in seconds with a
-// decimal point and in milliseconds without one; a length without a point is one of units of the last decimal. No
-// G33: the spindle is followed in tapping only. M7 is another coolant than elsewhere (a shower), and is refused.
-// G21 must be Setting 9 of the control. Tried on no control.
+// Haas mills (next generation control), by public summaries of their G-codes, not by their manual: O number between
+// two % signs, G234 H and G49 for TCP, G61 and G64 for corners, G154 P1 to P99 for further work offsets. P of a dwell
+// is in seconds with a decimal point and in milliseconds without one; a length without a point is one of units of the
+// last decimal. No G33: the spindle is followed in tapping only. M7 is another coolant than elsewhere (a shower), and
+// is refused. G21 must be Setting 9 of the control. Tried on no control.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/controls/common_words.h"
 #include "patchmill/gcode/controls/word_reader.h"
