@@ -73,11 +73,20 @@ def write(text):
 
 
 def enter(field, text, end="Return"):
-    """As a user who clicks into a field, selects what is there, types and presses `end`, if that is a key."""
+    """As a user who clicks into a field, selects what is there, types and presses `end`, if that is a key;
+    who looks first whether the field has the keyboard, and whether it shows what was typed."""
+    line = field if isinstance(field, QtGui.QLineEdit) else field.findChild(QtGui.QLineEdit)
     show(field)
-    click(field)
+    for _ in range(3):
+        click(field)
+        if driver.wait(line.hasFocus, 2):
+            break
+    other = QtGui.QApplication.focusWidget()
+    assert line.hasFocus(), "%s does not take the keyboard: %s has it" % (field, other)
     press("ctrl+a")
+    assert driver.wait(lambda: line.selectedText() == line.text(), 2), "%r is not selected" % line.text()
     write(text)
+    assert driver.wait(lambda: line.text() == text, 2), "%r is shown, %r was typed" % (line.text(), text)
     if end:
         press(end)
 
