@@ -117,6 +117,21 @@ class Values(driver.BlockTest):
         self.assertTrue(driver.panel_open())
         self.assertEqual((self.operation.Spacing.Value, self.operation.PatchSide), (0.6, 9))
 
+    def test_fields_stay_under_the_hand_while_the_head_comes_and_goes(self):
+        self.begin()
+        field, head = self.rows["Spacing"].editor, self.panel.advising.head
+        driver.rest(0.5)
+        hands.show(field)
+        hands.click(field)
+        place, height = field.mapToGlobal(QtCore.QPoint(0, 0)), head.height()
+        for sentence in ("A sentence of the head that takes a line or two of it. " * 4, "", "Short", ""):
+            head.note(sentence)
+            driver.rest(0.3)
+            self.assertEqual(field.mapToGlobal(QtCore.QPoint(0, 0)), place)
+            self.assertTrue(not sentence or head.hint.isVisible())
+        head.note("A sentence. " * 30)
+        self.assertGreater(head.height(), height)
+
     def test_the_wheel_over_the_panel_edits_nothing(self):
         self.begin()
         for group in self.panel.page.properties.groups.values():

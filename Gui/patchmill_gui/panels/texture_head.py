@@ -43,6 +43,7 @@ class Head(QtGui.QFrame):
         self.buttons = []
         self.state = None
         self._area = self._margins = None
+        self._settled = False
         self.busy(translate("PatchMill", "Looking for good values …"))
 
     def _say(self, state, sentence):
@@ -128,6 +129,7 @@ class Head(QtGui.QFrame):
         return True
 
     def _scroll_to_top(self):
+        self._settled = True
         if self._area is not None:
             self._area.verticalScrollBar().setValue(0)
 
@@ -135,6 +137,7 @@ class Head(QtGui.QFrame):
         """Gives the panel its place back."""
         if self._area is not None:
             self._area.removeEventFilter(self)
+            self._area.widget().setMinimumHeight(0)
             m = self._margins
             self._area.setViewportMargins(m.left(), m.top(), m.right(), m.bottom())
             self._area = None
@@ -149,13 +152,36 @@ class Head(QtGui.QFrame):
     def _place(self):
         if self._area is None:
             return
-        width = self._area.width()
+        area, m, bar = self._area, self._margins, self._area.verticalScrollBar()
+        width, before = area.width(), area.viewportMargins().top() - m.top()
         height = max(self.layout().heightForWidth(width), self.layout().minimumSize().height())
+        rows_stay = self._settled and _has_the_hand(area)
+        if rows_stay:
+            height = max(height, before - bar.value())  # what cannot be scrolled back stays empty
         self.setGeometry(0, 0, width, height)
         self.raise_()
-        m = self._margins
-        if self._area.viewportMargins().top() != m.top() + height:
-            self._area.setViewportMargins(m.left(), m.top() + height, m.right(), m.bottom())
+        if height != before:
+            seen = bar.value()
+            area.setViewportMargins(m.left(), m.top() + height, m.right(), m.bottom())
+            _scroll_to(area, seen + height - before if rows_stay else seen)
+
+
+def _has_the_hand(area):
+    """Whether the user is at work in a scroll area: the pointer is over it, or the keyboard's focus in it.
+    What is there then stays where it is on the screen, however the head's sentences come and go."""
+    focus = QtGui.QApplication.focusWidget()
+    under = area.rect().contains(area.mapFromGlobal(QtGui.QCursor.pos()))
+    return under or (focus is not None and area.isAncestorOf(focus))
+
+
+def _scroll_to(area, value):
+    """Scrolls to `value`, with empty room below the contents where they are too short for that."""
+    bar, contents = area.verticalScrollBar(), area.widget()
+    height = area.viewport().height() + value if value > 0 else 0
+    contents.setMinimumHeight(height)
+    if height > contents.height():
+        contents.resize(contents.width(), height)  # the bar's range follows at once
+    bar.setValue(value)
 
 
 def _verdict(found, verdict):
