@@ -11,6 +11,7 @@ from PySide import QtGui
 
 from patchmill_gui.fields.number_box import NumberBox
 from patchmill_gui.fields.quantity_entry import QuantityEntry
+from patchmill_gui.forms.widgets import living
 
 
 class Row:
@@ -38,7 +39,7 @@ def assign(obj, name, value):
 
 class QuantityRow(Row):
     def __init__(self, name, obj, type_name):
-        editor = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        editor = living(lambda: FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox"))
         self.entry = QuantityEntry(editor, UNITS[type_name], type_name == "App::PropertyLength")
         editor.setProperty("binding", "%s.%s" % (obj.Name, name))
         self.name = name

@@ -37,6 +37,26 @@ def forget_closed_panels():
     gc.collect()
 
 
+def living(make):
+    """A widget by `make()` that Python can use, with its parts. Where forget_closed_panels() is not enough,
+    PySide takes the new widget for the deleted one of its address: that address is then left taken, and
+    another widget is made."""
+    for _ in range(MOST_TAKEN):
+        widget = make()
+        try:
+            for each in [widget] + widget.findChildren(QtCore.QObject):
+                each.objectName()
+        except RuntimeError:
+            _taken.append(widget)
+            continue
+        return widget
+    raise RuntimeError("PySide takes each of %d new widgets for a deleted one" % MOST_TAKEN)
+
+
+MOST_TAKEN = 50
+_taken: list = []
+
+
 class _EditorGuard(QtCore.QObject):
     """Lets the wheel scroll the panel, so that it never edits what the pointer passes, and lets Return end a
     number, not the panel: FreeCAD would press OK."""

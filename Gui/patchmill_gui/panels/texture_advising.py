@@ -57,11 +57,11 @@ class Advising(QtCore.QObject):
         self.head.taken.connect(self._take)
         self.choosing, self.assessing, self.helping = (Background(brief=True) for _ in range(3))
         self.choosing.finished.connect(self._chosen)
-        self.choosing.failed.connect(lambda error: self._chosen(None))
+        # a method: PySide would hold a function, and by it this object, for good
+        self.choosing.failed.connect(self._not_chosen)
         self.assessing.finished.connect(self._assessed)
         self.assessing.failed.connect(self._failed)
         self.helping.finished.connect(self._helped)
-        self.helping.failed.connect(lambda error: None)
         self.notes = list(getattr(obj.Proxy, "notes", ()))
         self._planned = self._before = self._choice = self._chosen_for = None
         self.following = False  # the values of a new texture follow the others until the user edits them
@@ -113,6 +113,9 @@ class Advising(QtCore.QObject):
             self.show_properties()
             self.applying = False
         self.chosen.emit()
+
+    def _not_chosen(self, _):
+        self._chosen(None)
 
     def outdate(self):
         """What the head says is no longer so."""
