@@ -12,12 +12,19 @@ from PySide import QtCore, QtGui
 SETTLE = 0.05  # seconds that a hand takes between two actions
 
 
-def _xdotool(*arguments):
-    """Runs xdotool while the event loop goes on."""
+def act(*arguments):
+    """Runs xdotool, which may do several things in turn, while the event loop goes on."""
     process = subprocess.Popen(["xdotool", *map(str, arguments)])
     assert driver.wait(lambda: process.poll() is not None, 20), "xdotool does not end"
     assert process.returncode == 0, "xdotool %s" % (arguments,)
     driver.rest(SETTLE)
+
+
+def place_of(widget, at=None):
+    """x and y of a widget's middle, or of the QPoint `at` in it, in the screen's pixels, as texts."""
+    place = widget.mapToGlobal(widget.rect().center() if at is None else at)
+    scale = QtGui.QApplication.primaryScreen().devicePixelRatio()
+    return str(round(place.x() * scale)), str(round(place.y() * scale))
 
 
 def on_top(widget):
@@ -35,8 +42,7 @@ def point_at(widget, at=None):
         if (QtGui.QCursor.pos() - place).manhattanLength() <= 2:
             return
         assert QtGui.QApplication.widgetAt(place) is not None, "nothing is shown at %s" % place
-        scale = QtGui.QApplication.primaryScreen().devicePixelRatio()
-        _xdotool("mousemove", round(place.x() * scale), round(place.y() * scale))
+        act("mousemove", *place_of(widget, at))
     raise AssertionError("%s does not come to rest" % widget)
 
 
@@ -53,23 +59,31 @@ def steady(widget):
 def click(widget, at=None, times=1):
     """Clicks with the left button."""
     point_at(widget, at)
-    _xdotool("click", "--repeat", times, "--delay", 80, 1)
+    act("click", "--repeat", times, "--delay", 80, 1)
 
 
 def wheel(widget, steps, at=None):
     """Turns the wheel over a widget; towards the user if `steps` is positive."""
     point_at(widget, at)
-    _xdotool("click", "--repeat", abs(steps), "--delay", 40, 5 if steps > 0 else 4)
+    act("click", "--repeat", abs(steps), "--delay", 40, 5 if steps > 0 else 4)
+
+
+def give_keyboard(window):
+    """What a window manager does for a window that has just opened; there is none here."""
+    window.setProperty("answered", True)  # tests/gui/start.py leaves it alone
+    window.activateWindow()
+    assert driver.wait(window.isActiveWindow, 10), "%s does not get the keyboard" % window
+    driver.rest(SETTLE)
 
 
 def press(*keys):
     """Presses keys, one after the other, by X's names: Return, Tab, ctrl+a, Up."""
-    _xdotool("key", "--delay", 60, *keys)
+    act("key", "--delay", 60, *keys)
 
 
 def write(text):
     """Types text where the keyboard's focus is."""
-    _xdotool("type", "--delay", 40, text)
+    act("type", "--delay", 40, "--", text)
 
 
 def enter(field, text, end="Return"):

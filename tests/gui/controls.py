@@ -1,0 +1,173 @@
+"""Every control of every panel and window, found in them and touched by mouse and keys, lists and file
+windows included: nothing is raised, and no value changes that was not edited. Run on three screens
+(CMakeLists.txt).
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import subprocess
+import sys
+import traceback
+
+import driver
+import FreeCADGui
+import hands
+from patchmill.operations.texture_operation import ObjectTexture
+from patchmill_gui.forms import machine_editor, post_dialog
+from PySide import QtCore, QtGui
+
+FIELDS = (QtGui.QAbstractSpinBox, QtGui.QLineEdit, QtGui.QPlainTextEdit)
+KINDS = FIELDS + (QtGui.QComboBox, QtGui.QAbstractButton, QtGui.QSlider, QtGui.QListWidget)
+TEXTURE_VALUES = [row[1] for row in ObjectTexture.properties()]
+OWNERS = KINDS + (QtGui.QDialogButtonBox,)
+LEFT = ("Simulate", "SaveRelief", "Preview", "Play")  # buttons that compute or run: other tests press them
+
+
+def controls(root):
+    """What can be touched in a widget, parts of another control left out, in Qt's order."""
+    found = []
+    for each in root.findChildren(QtGui.QWidget):
+        inner = each.parent()
+        while not (inner is None or inner is root or isinstance(inner, OWNERS)):
+            inner = inner.parent()
+        if isinstance(each, KINDS) and (inner is None or inner is root):
+            found.append(each)
+    return found
+
+
+class Controls(driver.BlockTest):
+    def setUp(self):
+        super().setUp()
+        self.told = []
+        before = sys.excepthook
+        self.addCleanup(lambda: setattr(sys, "excepthook", before))
+        sys.excepthook = lambda *error: self.told.append("".join(traceback.format_exception(*error)))
+        self.touched = []
+
+    def touch(self, control):
+        """Touches a control so that its value stays: a list is opened and left, a field is left by Tab."""
+        hands.show(control)
+        if isinstance(control, QtGui.QComboBox):
+            hands.click(control)
+            if control.count():
+                self.assertTrue(driver.wait(control.view().isVisible, 10), control.objectName())
+                hands.press("Escape")
+                self.assertTrue(driver.wait(lambda: not control.view().isVisible(), 10))
+        elif isinstance(control, FIELDS):
+            hands.click(control, hands.middle_left(control, 12))
+            hands.press("Tab")
+        elif isinstance(control, QtGui.QAbstractButton) and control.isCheckable():
+            hands.click(control)
+            driver.rest(0.1)
+            hands.show(control)
+            hands.click(control)
+        elif isinstance(control, QtGui.QAbstractButton):
+            self.leave_windows = True
+            QtCore.QTimer.singleShot(400, self.escape)
+            hands.click(control)
+            driver.rest(0.2)
+            self.leave_windows = False
+        else:
+            hands.click(control, hands.middle_left(control, 12))
+
+    def escape(self):
+        """Leaves the window that a button opened by its key."""
+        if QtGui.QApplication.activeModalWidget() is not None:
+            subprocess.Popen(["xdotool", "key", "Escape"])
+        if self.leave_windows:
+            QtCore.QTimer.singleShot(400, self.escape)
+
+    def drive(self, root, values=lambda: None, leave=()):
+        """Touches everything in `root`, folds opened first; `values()` is to stay."""
+        before = values()
+        for control in controls(root):
+            name = control.objectName() or type(control).__name__
+            if not control.isVisible() or not control.isEnabled() or name in LEFT + tuple(leave):
+                continue
+            self.touch(control)
+            self.touched.append(name)
+            self.assertEqual(self.told, [], name)
+        driver.rest(0.5)
+        self.assertEqual(values(), before)
+        self.assertEqual(self.told, [])
+
+    def values_of(self, obj, rows):
+        def values():
+            return {name: str(getattr(obj, name)) for name in rows}
+
+        return values
+
+    def settled(self, panel):
+        self.assertTrue(driver.ready(panel))
+        panel.advising.following = False
+
+    def texture(self, command, groups=None):
+        """Drives a texture's page, all of it or only the groups that are named."""
+        operation, panel = driver.begin_texture(self.part, command)
+        self.settled(panel)
+        form = panel.page.properties
+        values = self.values_of(operation, form.rows)
+        panel.page.advanced.heading.setChecked(True)
+        for name, group in form.groups.items():
+            group.heading.setChecked(groups is None or name in groups)
+        driver.rest(0.3)
+        if groups is None:
+            self.drive(panel.page.form, values)
+        else:
+            for name in groups:
+                self.drive(form.groups[name], values)
+        self.assertTrue(driver.panel_open())
+        panel.reject()
+
+    def test_curved_texture(self):
+        self.texture("PatchMill_CurvedTexture")
+        self.assertGreater(len(self.touched), 40)
+
+    def test_what_the_other_textures_have_besides(self):
+        self.texture("PatchMill_PlanarTexture", ["Pattern", "Free form"])
+        self.texture("PatchMill_PyramidTexture", ["Pattern"])
+        self.texture("PatchMill_CalibrationPatch", ["Phase"])
+        self.assertGreater(len(self.touched), 15)
+
+    def test_copy_milling_and_its_modifier(self):
+        driver.run_on(self.part, "PatchMill_CopyMilling")
+        operation = self.document.getObject("CopyMilling")
+        panel = driver.panel_of(operation)
+        panel.form_rows.rows["AxialDepth"].editor.setProperty("rawValue", 4.0)
+        driver.rest(0.2)
+        self.drive(panel.page.form, self.values_of(operation, panel.form_rows.rows))
+        driver.accept(panel)
+        driver.run_on(operation, "PatchMill_DressupDcm")
+        dressup = self.document.getObject("DressupDCM")
+        panel = dressup.ViewObject.Proxy.panel
+        self.drive(panel.form, self.values_of(dressup, panel.form_rows.rows))
+        panel.reject()
+        self.assertGreater(len(self.touched), 20)
+
+    def test_what_is_opened_on_a_texture(self):
+        operation, panel = driver.begin_texture(self.part)
+        self.settled(panel)
+        driver.accept(panel)
+        for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):
+            driver.run_on(operation, command)
+            task = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Combo View")
+            self.drive(task, self.values_of(operation, TEXTURE_VALUES), self.outside(task))
+            FreeCADGui.Control.closeDialog()
+        window = post_dialog.show(operation.Proxy.getJob(operation))
+        self.drive(window)
+        window.reject()
+
+    @staticmethod
+    def outside(task):
+        """Names of the controls of FreeCAD's own that are in the same dock."""
+        return [w.objectName() for w in task.findChildren(QtGui.QAbstractButton) if "qt_" in w.objectName()]
+
+    def test_the_window_of_machines(self):
+        window = machine_editor.show("table-table-ac")
+        self.drive(window, lambda: (window.changed, str(window.data)), ("close",))
+        window.changed = False
+        window.close()
+
+
+def main():
+    return driver.run_tests(Controls)

@@ -1,0 +1,199 @@
+"""Pictures of every panel and window in each look: light, dark, German, Japanese, inches, small, large. A
+look is one picture, the panels side by side; what is written with too little contrast or cut off is told.
+
+    tests/gui/run_gui tests/gui/screens.py FOLDER [LOOK ...]
+    QT_SCALE_FACTOR=1.75 PATCHMILL_GUI_SCREEN=1920x1080 tests/gui/run_gui tests/gui/screens.py FOLDER light
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import os
+import sys
+
+import driver
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from patchmill_gui.forms import machine_editor, post_dialog
+from PySide import QtCore, QtGui
+
+CONTRAST = 4.5  # WCAG 2.2, success criterion 1.4.3
+GAP = 8  # pixels
+SIZES = {"small": (1024, 768), "large": (1920, 1080)}
+LANGUAGES = {"german": "German", "japanese": "Japanese"}
+LOOKS = ("light", "dark", "german", "japanese", "inches", "small", "large")
+TEXTURES = ("CurvedTexture", "PlanarTexture", "PyramidTexture", "CalibrationPatch")
+
+
+def put_on(look):
+    """Makes FreeCAD look so."""
+    sheet = ""
+    if look == "dark":
+        sheets = os.path.join(FreeCAD.getResourceDir(), "Gui", "Stylesheets")
+        QtCore.QDir.setSearchPaths("qss", [sheets])
+        with open(os.path.join(sheets, "ProDark.qss"), encoding="utf-8") as file:
+            sheet = file.read()
+    QtGui.QApplication.instance().setStyleSheet(sheet)
+    FreeCADGui.setLocale(LANGUAGES.get(look, "English"))
+    FreeCAD.Units.setSchema(3 if look == "inches" else 0)
+    window = FreeCADGui.getMainWindow()
+    window.showNormal()
+    window.resize(*SIZES.get(look, (1600, 1000)))
+    driver.rest(1.0)
+
+
+class Sheet:
+    """The pictures of one look."""
+
+    def __init__(self, folder, look):
+        self.name = os.path.join(folder, "screens_%s.png" % look)
+        self.look = look
+        self.pictures = []
+
+    def take(self, title, widget):
+        """A widget's picture, and a line for each sentence of it that is hard to read."""
+        driver.rest(0.4)
+        shot = widget.grab()
+        self.pictures.append(shot)
+        for said, ratio in faint(widget):
+            print("%s, %s: contrast %.1f: %s" % (self.look, title, ratio, said), flush=True)
+        for said, lacks in clipped(widget):
+            print("%s, %s: %d pixels too narrow: %s" % (self.look, title, lacks, said), flush=True)
+
+    def save(self):
+        width = sum(min(p.width(), 700) + GAP for p in self.pictures)
+        height = max(p.height() for p in self.pictures)
+        image = QtGui.QImage(width, height, QtGui.QImage.Format_RGB32)
+        image.fill(QtCore.Qt.magenta)
+        painter, x = QtGui.QPainter(image), 0
+        for each in self.pictures:
+            painter.drawPixmap(x, 0, each)
+            x += min(each.width(), 700) + GAP
+        painter.end()
+        image.save(self.name)
+        print(self.name, flush=True)
+
+
+def _luminance(pixels):
+    linear = pixels / 255.0
+    linear = np.where(linear <= 0.04045, linear / 12.92, ((linear + 0.055) / 1.055) ** 2.4)
+    return linear @ np.array([0.2126, 0.7152, 0.0722])
+
+
+def _pixels(widget):
+    image = widget.grab().toImage().convertToFormat(QtGui.QImage.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), np.uint8, image.bytesPerLine() * image.height())
+    rows = rows.reshape(image.height(), -1)[:, : 3 * image.width()]
+    return rows.reshape(-1, 3).astype(float)
+
+
+def _texts(widget):
+    """Visible labels and buttons below a widget with their texts."""
+    for each in widget.findChildren(QtGui.QWidget):
+        if isinstance(each, (QtGui.QLabel, QtGui.QAbstractButton)) and each.isVisible() and each.isEnabled():
+            if each.text().strip() and each.width() > 8 and each.height() > 8:
+                yield each, each.text()
+
+
+def faint(widget):
+    """(text, contrast) of those below CONTRAST: of the commonest luminance and the one farthest from it."""
+    for each, text in _texts(widget):
+        light = np.round(_luminance(_pixels(each)), 3)
+        values, counts = np.unique(light, return_counts=True)
+        ground = values[counts.argmax()]
+        ratios = (np.maximum(values, ground) + 0.05) / (np.minimum(values, ground) + 0.05)
+        if ratios.max() < CONTRAST:
+            yield text, ratios.max()
+
+
+def clipped(widget):
+    """(text, pixels that are missing) of labels of one line and of buttons that are too narrow for it."""
+    for each, text in _texts(widget):
+        wraps = isinstance(each, QtGui.QLabel) and (each.wordWrap() or "<" in text)
+        lacks = each.fontMetrics().boundingRect(text.replace("&", "")).width() - each.width()
+        if not wraps and lacks > 0 and "\n" not in text:
+            yield text, lacks
+
+
+def dock():
+    return FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Combo View")
+
+
+def textures(sheet, part):
+    """The panels of new textures; the operation that is kept."""
+    for name in TEXTURES:
+        operation, panel = driver.begin_texture(part, "PatchMill_" + name)
+        driver.wait(lambda: not panel.advising.assessing.busy, 200)
+        driver.wait(lambda: not panel.advising.helping.busy, 200)
+        sheet.take(name, dock())
+        if name == TEXTURES[0]:
+            panel.page.advanced.heading.setChecked(True)
+            for group in panel.page.properties.groups.values():
+                group.heading.setChecked(True)
+            driver.rest(0.3)
+            sheet.take(name + ", all", panel.page.form)
+            panel.page.advanced.heading.setChecked(False)
+            driver.set_quantity(panel, "Spacing", 4.0)
+            driver.wait(lambda: panel.error is not None)
+            sheet.take(name + ", refused", dock())
+            driver.set_quantity(panel, "Spacing", 0.5)
+            driver.wait(lambda: panel.error is None and panel.ready_now(), 240)
+            driver.accept(panel)
+            kept = operation
+        else:
+            panel.reject()
+    return kept
+
+
+def opened(sheet, operation):
+    """What is opened on a texture."""
+    for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):
+        driver.run_on(operation, command)
+        driver.rest(3.0)
+        sheet.take(command, dock())
+        FreeCADGui.Control.closeDialog()
+    for title, window in (
+        ("Post", post_dialog.show(operation.Document.getObject("Job"))),
+        ("Machines", machine_editor.show("table-table-ac")),
+    ):
+        sheet.take(title, window)
+        window.close()
+
+
+def milling(sheet, part):
+    driver.run_on(part, "PatchMill_CopyMilling")
+    operation = part.Document.getObject("CopyMilling")
+    panel = driver.panel_of(operation)
+    panel.form_rows.rows["AxialDepth"].editor.setProperty("rawValue", 4.0)
+    sheet.take("CopyMilling", dock())
+    driver.accept(panel)
+    driver.run_on(operation, "PatchMill_DressupDcm")
+    panel = part.Document.getObject("DressupDCM").ViewObject.Proxy.panel
+    sheet.take("DCM", dock())
+    panel.reject()
+
+
+def preferences(sheet):
+    def shoot():
+        for widget in QtGui.QApplication.topLevelWidgets():
+            if isinstance(widget, QtGui.QDialog) and widget.isVisible():
+                sheet.take("Preferences", widget)
+                widget.reject()
+
+    QtCore.QTimer.singleShot(500, shoot)
+    FreeCADGui.showPreferences("PatchMill", 0)
+
+
+def main():
+    folder, looks = sys.argv[1], sys.argv[2:] or LOOKS
+    for look in looks:
+        put_on(look)
+        document, part = driver.new_document(driver.wavy_block())
+        sheet = Sheet(folder, look)
+        kept = textures(sheet, part)
+        opened(sheet, kept)
+        milling(sheet, part)
+        preferences(sheet)
+        sheet.save()
+        FreeCAD.closeDocument(document.Name)
+    return 0
