@@ -127,5 +127,5 @@ class BadFiles(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    result = unittest.main(exit=False, verbosity=2, argv=["test"]).result
+    result = unittest.main(exit=False, verbosity=2, argv=["test"] + sys.argv[1:]).result
     sys.exit(0 if result.wasSuccessful() and result.testsRun else 1)

@@ -137,5 +137,5 @@ class OneClick(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    outcome = unittest.main(exit=False, argv=sys.argv[:1]).result
+    outcome = unittest.main(exit=False).result
     sys.exit(0 if outcome.wasSuccessful() else 1)

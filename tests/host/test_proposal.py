@@ -66,5 +66,5 @@ class Proposed(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    outcome = unittest.main(exit=False, argv=sys.argv[:1]).result
+    outcome = unittest.main(exit=False).result
     sys.exit(0 if outcome.wasSuccessful() else 1)
