@@ -10,6 +10,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
+import numpy as np  # noqa: E402
 from milling_jobs import Path, dress, make_job, native, pocket_part  # noqa: E402
 from parts import WithDocuments  # noqa: E402
 from patchmill import DressupDCM, InputError  # noqa: E402
@@ -32,6 +33,21 @@ class BasePath(WithDocuments):
         arcs = "G2 X20 Y0 I10 J0 F5", "G2 X20 Y0.004 I10 J0 F5", "G3 X0 Y0 I5 J0 F5", "G2 X20 Z5 I10 K0 F5"
         for arc in arcs:
             self.assertGreater(len(base_path.read(commands(BEGIN + [arc])).tips), 10)
+
+    def test_chords_are_half_a_micrometre_from_their_arc(self):
+        for radius in (0.4, 10.0, 300.0):
+            arc = "G2 X%s Y0 I%s J0 F5" % (2 * radius, radius)
+            tips = np.array([(0.0, 0.0, 10.0), *base_path.read(commands([*BEGIN, arc])).tips[-10000:]])
+            middle = 0.5 * (tips[1:] + tips[:-1])[1:]
+            sagitta = radius - np.hypot(middle[:, 0] - radius, middle[:, 1]).min()
+            self.assertLessEqual(sagitta, 0.0005 * (1 + 1e-6))
+            self.assertGreater(sagitta, 0.0001)
+
+    def test_a_cut_needs_a_feed(self):
+        for lines in (["G0 X0 Y0 Z25", "G1 X5"], ["G0 X0 Y0 Z25", "G1 X5 F0"]):
+            with self.assertRaises(InputError) as caught:
+                base_path.read(commands(lines), "Custom")
+            self.assertEqual(caught.exception.value, "a move without feed")
 
     def test_words_that_are_not_understood(self):
         strange = "G1 X1 U5 F5", "G1 X1 E5 F5", "M98 P100", "M428", "M30", "G91", "G20", "G18", "G1 X5 A10 F5"

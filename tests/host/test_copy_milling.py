@@ -134,6 +134,7 @@ class CopyMillingTest(WithDocuments):
         operation, both = self.mill(job, FinishingRadialDepth=2.0, **kwargs)
         self.assertAlmostEqual(deepest_gouge(part, both, 0.3), 0.0, delta=TOLERANCE)
         self.assertGreater(len(both), len(rough))
+        self.assertAlmostEqual(operation.Scallop, core.scallop_height(RADIUS, 2.0), places=9)
         operation, last = self.mill(job, Passes="Finishing", FinishingRadialDepth=2.0, **kwargs)
         self.assertLess(last.statistics()["cut_length_mm"], both.statistics()["cut_length_mm"])
 
@@ -206,6 +207,8 @@ class CopyMillingTest(WithDocuments):
         _, a = self.mill(job, RadialDepth=5.0, AxialDepth=8.0, Mode="Contour")
         _, b = self.mill(job, RadialDepth=5.0, AxialDepth=8.0, Mode="Contour")
         self.assertEqual(a.tips.tobytes(), b.tips.tobytes())
+        controller = host.tool_controllers(job)[0]
+        self.assertEqual(a.spindle.speed, controller.SpindleSpeed / 60.0)
 
     def test_bad_input(self):
         document, job = job_with_stock(make_parts.convex_part(), 1.0)

@@ -4,10 +4,13 @@ else is as it was.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import os
 import pathlib
 import re
 import sys
+import tempfile
 import unittest
+from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
@@ -17,6 +20,15 @@ from milling_jobs import CONTACT, HIGH, LOW, contact_off, trace  # noqa: E402
 from milling_jobs import add_pocket, add_profile, dress, make_job, pocket_part  # noqa: E402
 from parts import WithDocuments  # noqa: E402
 from patchmill import DressupDCM, InputError  # noqa: E402
+
+
+def accelerations(path):
+    """Of timed moves that follow each other, along the longer of the two [mm/s^2]."""
+    length = np.linalg.norm(np.diff(np.vstack([np.array(path.start)[None], path.tips]), axis=0), axis=1)
+    speed = length * path.spindle.speed / path.turns
+    timed = path.kinds[1:] * path.kinds[:-1] > 0
+    change = np.abs(speed[1:] ** 2 - speed[:-1] ** 2)
+    return (change / (2.0 * np.fmax(length[1:], length[:-1])))[timed]
 
 
 class OnFreeCADsOwn(WithDocuments):
@@ -109,16 +121,29 @@ class OnFreeCADsOwn(WithDocuments):
         dressup = dress(add_profile(job), Machine="linuxcnc-mill")
         result = DressupDCM.recompute(dressup)
         path = result.path
-        length = np.linalg.norm(np.diff(np.vstack([np.array(path.start)[None], path.tips]), axis=0), axis=1)
-        speed = length * path.spindle.speed / path.turns
         a = patchmill.machines.load("linuxcnc-mill").model.acceleration
-        timed = path.kinds[1:] * path.kinds[:-1] > 0
-        change = np.abs(speed[1:] ** 2 - speed[:-1] ** 2)[timed]
-        self.assertLessEqual((change - 2 * a * np.fmax(length[1:], length[:-1])[timed]).max(), 1e-6)
-        dressup.FeedAtSkin = 1e6
+        self.assertLessEqual(accelerations(path).max(), a * (1 + 1e-9))
+        self.assertEqual(path.spindle.speed, 100.0)  # 6000 rpm
+        dressup.FeedAtSkin = 100.0  # mm/s, as fast as the machine is
+        DressupDCM.recompute(dressup)
+        dressup.FeedAtSkin = 100.1
         with self.assertRaises(InputError) as caught:
             DressupDCM.recompute(dressup)
         self.assertEqual(caught.exception.property, "FeedAtSkin")
+
+    def test_a_slow_machines_acceleration_holds_the_feed_back(self):
+        slow = 5.0  # mm/s^2
+        document, job = make_job(pocket_part())
+        dressup = dress(add_profile(job), KeepPlunges=False)  # a plunge is slowed beyond the machine's limits
+        self.assertGreater(accelerations(DressupDCM.recompute(dressup).path).max(), 2 * slow)
+        with tempfile.TemporaryDirectory() as folder, mock.patch.dict(os.environ, PATCHMILL_MACHINES=folder):
+            data = patchmill.machines.load("linuxcnc-mill").data
+            axes = dict(data["linear_axes"], acceleration_mm_s2=slow)
+            patchmill.machines.save("slow", dict(data, linear_axes=axes))
+            dressup.Machine = "slow"
+            held = accelerations(DressupDCM.recompute(dressup).path).max()
+        self.assertLessEqual(held, slow * (1 + 1e-9))
+        self.assertGreater(held, 0.99 * slow)
 
     def test_posts(self):
         document, job = make_job(pocket_part())

@@ -60,6 +60,8 @@ class Posture(WithDocuments):
         source = np.arange(len(path))
         path, source, joints = patchmill.tilted_path.with_angles(path, source, machine)
         self.assertEqual(len(source), len(result.path))  # nothing is left to be halved
+        dressup.AxisTolerance = 0.01  # degrees; 0.25 before: more, shorter moves
+        self.assertGreater(len(DressupDCM.recompute(dressup).path), 1.2 * len(result.path))
         rates = np.radians([a["velocity_deg_s"] for a in machine.data["rotary_axes"]])
         turned = np.abs(np.diff(joints, axis=0))
         seconds = path.turns / path.spindle.speed
@@ -75,6 +77,8 @@ class Posture(WithDocuments):
         before = core.holder_clearance(part, holder, result.path, 1.0, 1.0)
         dressup.Holder = ["6 23 5 5", "23 63 32 32"]  # over the tip, diameters
         after = DressupDCM.recompute(dressup)
+        held = [section[1:] for section in after.path.tool.sections if section[0] == "holder"]
+        self.assertEqual(held, [(6.0, 23.0, 2.5, 2.5), (23.0, 63.0, 16.0, 16.0)])
         now = core.holder_clearance(part, holder, after.path, 1.0, 1.0)
         print("holder %.2f mm before, %.2f mm after; %d places not clear" % (
             before["least"], now["least"], dressup.NotClear))

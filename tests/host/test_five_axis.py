@@ -9,6 +9,7 @@ import os
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
@@ -79,6 +80,38 @@ class FiveAxis(unittest.TestCase):
                 print(machine, len(text.splitlines()), "blocks;", "C from %.1f to %.1f" % tuple(
                     np.degrees(plan.posture.work.joints[:, 0][[0, -1]])))
                 FreeCAD.closeDocument(document.Name)
+
+    def test_tilt_is_beside_the_feed_as_lead_is_along_it(self):
+        _, job, op = five_axis_job("table-table-ac")
+        op.Lead, op.Tilt = 0.0, 7.0
+        plan, posted, _ = self.post(job, op)
+        self.assertLess(np.abs(self.check_read_back(plan, posted) - 7.0).max(), 1e-2)
+
+    def machine_with(self, **words):
+        """Saves table-table-ac with other words as 'other'."""
+        machines.save("other", dict(machines.load("table-table-ac").data, **words))
+
+    def test_axes_that_are_too_slow_or_too_short_are_refused(self):
+        with mock.patch.dict(os.environ, PATCHMILL_MACHINES=self.folder.name):
+            _, _, op = five_axis_job("table-table-ac")
+            work = patchmill.recompute(op).posture.work
+            seconds = (work.path.turns / work.path.spindle.speed)[:, None]
+            with np.errstate(divide="ignore", invalid="ignore"):
+                rates = np.degrees(np.abs(np.diff(work.joints, axis=0)) / seconds)
+            fastest = np.nanmax(np.where(seconds > 0.0, rates, np.nan), axis=0)  # C, A [degrees/s]
+            axes = machines.load("table-table-ac").data["rotary_axes"]
+            for share, good in ((1.001, True), (0.999, False)):
+                velocities = fastest * (share, 10.0)
+                self.machine_with(rotary_axes=[
+                    dict(a, velocity_deg_s=v) for a, v in zip(axes, velocities)])  # fmt: skip
+                op.Machine = "other"
+                if good:
+                    self.assertAlmostEqual(patchmill.recompute(op).posture.load["rate"], 1 / share, places=6)
+                else:
+                    self.refused("ToolAxis", op)
+            limits = machines.load("table-table-ac").data["linear_axes"]
+            self.machine_with(linear_axes=dict(limits, limits_mm={"X": [-0.5, 0.5]}))
+            self.refused("Machine", op)
 
     def test_without_tcp(self):
         for machine in ("table-table-ac", "head-table-bc"):
