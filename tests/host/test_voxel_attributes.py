@@ -119,11 +119,13 @@ class Attributes(WithDocuments):
 
     def test_bad_lines_are_named(self):
         dressup = dress(self.operation)
-        for line in ("skin", "skin x 2", "skin 0 2", "skin 0.5 -1", "skin 0.5 Nothing", "a b c d"):
+        factors = "skin x 2", "skin 0 2", "skin -1 2"
+        for line in ("skin", *factors, "skin 0.5 -1", "skin 0.5 Nothing", "a b c d"):
             dressup.Materials = [line]
             with self.assertRaises(InputError) as caught:
                 DressupDCM.recompute(dressup)
             self.assertEqual(caught.exception.property, "Materials", caught.exception)
+            self.assertEqual(caught.exception.value, repr(line))
             self.assertEqual(len(dressup.Path.Commands), 0)
             print("refused:", caught.exception)
         dressup.Materials, dressup.Machine = ["soft 1000 2"], "linuxcnc-mill"
