@@ -5,6 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import os
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -178,6 +179,14 @@ class PostedJob(WithDocuments):
         ):
             at = text.index(old)
             self.refused(label, self.read, job, (text[:at] + text[at:].replace(old, new, 1)).split("\n"))
+
+    def test_the_spindle_of_the_text(self):
+        job, _ = self.job("Constant feed")
+        text, _ = self.post(job)
+        (said,) = set(re.findall(r"S[0-9]+", text))
+        for faster in (said[:-1] + "1", said + "0"):  # by one turn a minute, and ten times
+            self.refused("SpindleSpeed", self.read, job, text.replace(said, faster).split("\n"))
+        self.refused("SpindleSpeed", self.read, job, text.replace("M3", "M4").split("\n"))
 
     def test_coolant_that_is_lost(self):
         job, (texture,) = self.job("Constant feed")
