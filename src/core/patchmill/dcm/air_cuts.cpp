@@ -3,6 +3,7 @@
 #include "patchmill/dcm/air_cuts.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <bitset>
@@ -144,6 +145,7 @@ Scan scan(const ToolPose& from, const ToolPose& to, const Tool& tool, double ste
   Scan out;
   out.steps = std::max(1, static_cast<int>(std::ceil((b - a).norm() / step)));
   for (int i = 0; i < out.steps; ++i) {
+    stop_point();
     const double t = (i + 1.0) / out.steps;
     const Vec3 axis = (from.axis + t * (to.axis - from.axis)).normalized();
     out.air.push_back(stock.cut(a + t * (b - a), axis, tool) ? 0 : 1);

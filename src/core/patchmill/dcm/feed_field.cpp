@@ -3,7 +3,7 @@
 #include "patchmill/dcm/feed_field.h"
 
 #include "patchmill/geometry/error.h"
-#include "patchmill/geometry/stop.h"
+#include "patchmill/geometry/large_vector.h"
 
 namespace patchmill::dcm {
 namespace {
@@ -95,28 +95,25 @@ void diffuse_along(const voxel::BrickTable& table, int axis,
 }  // namespace
 
 std::vector<voxel::CellRole> roles(const voxel::VoxelGrid& grid, ExteriorRule rule) {
-  std::vector<voxel::CellRole> role(grid.kind.size(), voxel::CellRole::Outside);
-  for (std::size_t i = 0; i < role.size(); ++i) {
+  return large_vector<voxel::CellRole>(grid.kind.size(), [&](std::size_t i) {
     const voxel::VoxelKind kind = grid.kind[i];
     if (kind == voxel::VoxelKind::Surface ||
         (kind == voxel::VoxelKind::Exterior && rule == ExteriorRule::Held))
-      role[i] = voxel::CellRole::Held;
-    else if (kind == voxel::VoxelKind::Removal || kind == voxel::VoxelKind::Exterior)
-      role[i] = voxel::CellRole::Unknown;
-  }
-  return role;
+      return voxel::CellRole::Held;
+    return kind == voxel::VoxelKind::Removal || kind == voxel::VoxelKind::Exterior
+               ? voxel::CellRole::Unknown
+               : voxel::CellRole::Outside;
+  });
 }
 
 std::vector<double> initial_feed(const voxel::VoxelGrid& grid, const FeedLimits& limits) {
   require_limits(limits);
-  std::vector<double> field(grid.kind.size(), 0.0);
-  for (std::size_t i = 0; i < field.size(); ++i) {
+  return large_vector<double>(grid.kind.size(), [&](std::size_t i) {
     const voxel::VoxelKind kind = grid.kind[i];
-    if (kind == voxel::VoxelKind::Surface) field[i] = limits.low;
-    if (kind == voxel::VoxelKind::Removal || kind == voxel::VoxelKind::Exterior)
-      field[i] = limits.high;
-  }
-  return field;
+    if (kind == voxel::VoxelKind::Surface) return limits.low;
+    const bool inside = kind == voxel::VoxelKind::Removal || kind == voxel::VoxelKind::Exterior;
+    return inside ? limits.high : 0.0;
+  });
 }
 
 FeedField steady_feed(const voxel::VoxelGrid& grid, const FeedLimits& limits, ExteriorRule rule) {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/dcm/materials.h"
 
+#include "patchmill/geometry/large_vector.h"
 #include "patchmill/geometry/require.h"
-#include "patchmill/geometry/stop.h"
 #include "patchmill/voxel/row_bits.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -42,7 +43,8 @@ std::vector<std::uint8_t> materials_of(const voxel::VoxelGrid& grid,
                                        const std::vector<MaterialBody>& bodies) {
   if (bodies.size() > kMost)
     throw InputError("Materials", std::to_string(bodies.size()), "give 255 at most.");
-  std::vector<std::uint8_t> material(grid.table.cell_count(), 0);
+  auto material = large_vector<std::uint8_t>(grid.table.cell_count(),
+                                             [](std::size_t) { return std::uint8_t{0}; });
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (!(bodies[b].depth > 0.0))
       throw InputError("Materials", fmt::format("{} mm", bodies[b].depth),
@@ -71,8 +73,12 @@ void scale_feed(FeedField& feed, const std::vector<std::uint8_t>& material,
                        "give one for the stock and one for each material.");
   for (auto& along : feed.along)
     require_one_each("Materials", material.size(), along.size(), "voxels of the field");
+  constexpr std::size_t kPiece = std::size_t{1} << 16;  // voxels
   for (auto& along : feed.along)
-    for (std::size_t i = 0; i < material.size(); ++i) along[i] *= factor[material[i]];
+    patchmill::parallel_for(std::size_t{0}, material.size() / kPiece + 1, [&](std::size_t piece) {
+      const std::size_t end = std::min(material.size(), (piece + 1) * kPiece);
+      for (std::size_t i = piece * kPiece; i < end; ++i) along[i] *= factor[material[i]];
+    });
 }
 
 }  // namespace patchmill::dcm

@@ -3,7 +3,7 @@
 #include "patchmill/dcm/posture_field.h"
 
 #include "patchmill/geometry/error.h"
-#include "patchmill/geometry/stop.h"
+#include "patchmill/geometry/large_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,8 @@ PostureField steady_posture(const voxel::VoxelGrid& grid, const mesh::TriangleMe
   const std::vector<double> upright = boundary_values(options, Vec3::UnitZ());
   const std::size_t cells = grid.kind.size();
   std::vector<std::vector<double>> field;
-  for (const double value : upright) field.emplace_back(cells, value);
+  for (const double value : upright)
+    field.push_back(large_vector<double>(cells, [&](std::size_t) { return value; }));
   visit_surface(grid, part, bvh, options.crease, [&](std::size_t cell, const Vec3& n) {
     const std::vector<double> values = boundary_values(options, n);
     for (std::size_t f = 0; f < values.size(); ++f) field[f][cell] = values[f];
@@ -82,7 +83,8 @@ PostureField steady_posture(const voxel::VoxelGrid& grid, const mesh::TriangleMe
   posture.outcome = voxel::solve_laplace(grid.table, roles(grid, options.exterior), field,
                                          options.solver, progress);
   for (auto& values : field) {
-    posture.value.emplace_back(values.begin(), values.end());
+    posture.value.push_back(
+        large_vector<float>(cells, [&](std::size_t i) { return static_cast<float>(values[i]); }));
     std::vector<double>().swap(values);
   }
   return posture;

@@ -1,6 +1,6 @@
 // The multigrid hierarchy from the roles of the cells; see laplace_level.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "patchmill/geometry/stop.h"
+#include "patchmill/geometry/large_vector.h"
 #include "patchmill/voxel/brick_halo.h"
 #include "patchmill/voxel/laplace_level.h"
 
@@ -11,8 +11,9 @@ void allocate(LaplaceLevel& level, int fields) {
   const std::size_t n = level.table->cell_count();
   level.x.resize(fields);
   level.b.resize(fields);
-  for (auto& values : level.x) values.assign(n, 0.0f);  // in place: no copy beside it
-  for (auto& values : level.b) values.assign(n, 0.0f);
+  const auto zero = [](std::size_t) { return 0.0f; };
+  for (auto& values : level.x) fill_large(values, n, zero);  // in place: no copy beside it
+  for (auto& values : level.b) fill_large(values, n, zero);
   for (int f = 0; f < fields; ++f) level.live.push_back(static_cast<std::size_t>(f));
   for (std::size_t i = 0; i < level.table->size(); ++i)
     level.checker[level.table->place[i].sum() & 1].push_back(static_cast<std::int32_t>(i));
@@ -43,8 +44,9 @@ BrickTable coarse_table(const BrickTable& fine) {
 template <class HeldOf>
 Coarse coarsen(const BrickTable& fine, const std::vector<CellRole>& role, const BrickTable& coarse,
                float scale, const HeldOf& held_of) {
-  Coarse out{std::vector<float>(coarse.cell_count(), 0.0f),
-             std::vector<CellRole>(coarse.cell_count(), CellRole::Outside)};
+  const std::size_t n = coarse.cell_count();
+  Coarse out{large_vector<float>(n, [](std::size_t) { return 0.0f; }),
+             large_vector<CellRole>(n, [](std::size_t) { return CellRole::Outside; })};
   patchmill::parallel_for(std::size_t{0}, fine.size(), [&](std::size_t brick) {
     BrickHalo<CellRole> halo;
     load_halo(role.data(), fine, brick, halo);
@@ -63,7 +65,7 @@ Coarse coarsen(const BrickTable& fine, const std::vector<CellRole>& role, const 
 }
 
 void set_diagonal(LaplaceLevel& level, Coarse& coarse) {
-  level.diagonal.assign(level.table->cell_count(), 0.0f);
+  fill_large(level.diagonal, level.table->cell_count(), [](std::size_t) { return 0.0f; });
   patchmill::parallel_for(std::size_t{0}, level.table->size(), [&](std::size_t brick) {
     BrickHalo<CellRole> halo;
     load_halo(coarse.role.data(), *level.table, brick, halo);
@@ -84,7 +86,7 @@ void set_diagonal(LaplaceLevel& level, Coarse& coarse) {
 LaplaceLevel finest_level(const BrickTable& table, const std::vector<CellRole>& role, int fields) {
   LaplaceLevel level;
   level.table = &table;
-  level.faces.assign(table.cell_count(), 0);
+  fill_large(level.faces, table.cell_count(), [](std::size_t) { return std::uint8_t{0}; });
   allocate(level, fields);
   patchmill::parallel_for(std::size_t{0}, table.size(), [&](std::size_t brick) {
     BrickHalo<CellRole> halo;

@@ -3,7 +3,7 @@
 #include "patchmill/voxel/laplace_solver.h"
 
 #include "patchmill/geometry/error.h"
-#include "patchmill/geometry/stop.h"
+#include "patchmill/geometry/large_vector.h"
 #include "patchmill/voxel/brick_halo.h"
 #include "patchmill/voxel/laplace_kernels.h"
 #include "patchmill/voxel/reach.h"
@@ -195,7 +195,7 @@ LaplaceOutcome solve_laplace(const BrickTable& table, std::vector<CellRole> role
   append_coarser_levels(levels, role);
   std::vector<CellRole>().swap(role);  // the levels know it now
   Floats p(together);
-  for (auto& values : p) values.assign(table.cell_count(), 0.0f);
+  for (auto& values : p) fill_large(values, table.cell_count(), [](std::size_t) { return 0.0f; });
 
   LaplaceOutcome outcome;
   for (std::size_t first = 0; first < fields.size() && !outcome.cancelled; first += together) {

@@ -73,6 +73,7 @@ std::int64_t exclude_unreached(const BrickTable& table, std::vector<CellRole>& r
   std::deque<std::int32_t> todo;
   for (std::size_t i = 0; i < table.size(); ++i) todo.push_back(static_cast<std::int32_t>(i));
   while (!todo.empty()) {
+    stop_point();
     const std::int32_t brick = todo.front();
     todo.pop_front();
     for (int side = 0; side < 6; ++side) {

@@ -3,7 +3,7 @@
 #include "patchmill/voxel/transient.h"
 
 #include "patchmill/geometry/error.h"
-#include "patchmill/geometry/stop.h"
+#include "patchmill/geometry/large_vector.h"
 #include "patchmill/voxel/brick_halo.h"
 
 #include <cmath>
@@ -79,7 +79,7 @@ int diffuse_transient(const BrickTable& table, const std::vector<CellRole>& role
                       std::vector<double>& field) {
   const int steps = transient_steps(axes, pitch, options);
   const double r = options.diffusivity * options.time / steps / (pitch * pitch);
-  std::vector<double> next(field.size());
+  auto next = large_vector<double>(field.size(), [](std::size_t) { return 0.0; });
   for (int i = 0; i < steps; ++i) {
     explicit_step(table, role, axes, r, field, next);
     field.swap(next);

@@ -3,7 +3,7 @@
 #include "patchmill/voxel/voxelise.h"
 
 #include "patchmill/geometry/error.h"
-#include "patchmill/geometry/stop.h"
+#include "patchmill/geometry/large_vector.h"
 #include "patchmill/voxel/brick_bits.h"
 #include "patchmill/voxel/brick_halo.h"
 #include "patchmill/voxel/row_bits.h"
@@ -52,7 +52,7 @@ struct Gathering {
     for (std::size_t c = 0; c < columns.size(); ++c)
       for (const int x : columns[c].place) wanted[c * box.x() + x] = 1;
     grid.table = make_brick_table(frame.cells, wanted);
-    grid.kind.assign(grid.table.cell_count(), VoxelKind::Removal);
+    fill_large(grid.kind, grid.table.cell_count(), [](std::size_t) { return VoxelKind::Removal; });
     patchmill::parallel_for(std::size_t{0}, columns.size(), [&](std::size_t c) {
       for (const auto& [x, bits] : columns[c].mixed)
         write_kinds(bits, &grid.kind[std::size_t(grid.table.at[c * box.x() + x]) * kBrickCells]);
