@@ -6,17 +6,24 @@ writes is written here.
 
 It is written without a name, or under one that nobody can foresee, in the folder where it is to be; synced;
 given the mode and owner of what it replaces; then put in its place. A name that is a symbolic link goes on
-being one: the file is written where it points.
+being one: the file is written where it points. What a writer left that was killed in the last moment, between
+having a name and being in its place, is removed by the next one in that folder.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import contextlib
+import fcntl
 import os
+import re
 import secrets
 import stat
+import time
 
 from _patchmill import InputError
+
+FOREIGN = re.compile(r"\.patchmill-[0-9a-f]{24}")
+OLD = 60.0  # seconds: a younger one may be about to be locked by who writes it
 
 
 def require_place(filename, name="filename"):
@@ -46,9 +53,11 @@ def replacing(filename, name="filename"):
     nothing is changed and nothing left. Raises InputError naming `name` if it cannot be written."""
     try:
         path = require_place(filename, name)
+        _remove_leftovers(os.path.dirname(path))
         file = _unnamed(os.path.dirname(path))
         try:
             with file:
+                _lock(file.fileno())
                 yield file
                 file.flush()
                 _like(file.fileno(), path)
@@ -107,6 +116,32 @@ def _unnamed(folder):
 
 def _foreign_name(folder):
     return os.path.join(folder, ".patchmill-%s" % secrets.token_hex(12))
+
+
+def _lock(descriptor):
+    """Marks a file as being written. False if somebody writes it, or if that cannot be known here."""
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
+
+
+def _remove_leftovers(folder):
+    """Files of writers that were killed: nobody holds them."""
+    for name in os.listdir(folder):
+        if not FOREIGN.fullmatch(name):
+            continue
+        path = os.path.join(folder, name)
+        with contextlib.suppress(OSError):
+            descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+            try:
+                found = os.fstat(descriptor)
+                old = time.time() - found.st_mtime > OLD
+                if stat.S_ISREG(found.st_mode) and old and _lock(descriptor):
+                    os.unlink(path)
+            finally:
+                os.close(descriptor)
 
 
 def _like(descriptor, path):
