@@ -24,6 +24,8 @@ from . import load, table
 HERE = pathlib.Path(__file__).resolve().parent
 NOBODY = 65534
 MOVE = re.compile(r'\s*(N\d+\s*)?(G0?[0-3]|G33)\b.*[XYZ]', re.ASCII)
+PATIENCE = 400  # of task with motion, in seconds of their fast clock: 4 s end programs on a busy computer
+TOOLS = 3  # in the tool table, each without a length: programs have tool tips
 SHORT = 10  # lines at a program's end that may be too short for a log
 
 
@@ -47,6 +49,7 @@ class Machine:
     kinematics: str = 'xyz'       # or xyzac, xyzbc: tables, which start without TCP
     rotary_acceleration: float = 20000.0  # degrees/s²
     rotary_velocity: float = 1000.0       # degrees/s
+    offsets: dict = dataclasses.field(default_factory=dict)  # {'G55': (x, y, z)}, mm; others are zero
 
     @property
     def letters(self):
@@ -82,7 +85,7 @@ def ini(machine):
         'DISPLAY': {'DISPLAY': './driver.py', 'CYCLE_TIME': 0.1},
         'TASK': {'TASK': 'milltask', 'CYCLE_TIME': 0.001},
         'RS274NGC': {'PARAMETER_FILE': 'machine.var'},
-        'EMCMOT': {'EMCMOT': 'motmod', 'COMM_TIMEOUT': 4,
+        'EMCMOT': {'EMCMOT': 'motmod', 'COMM_TIMEOUT': PATIENCE,
                    'SERVO_PERIOD': round(machine.period * 1e9)},
         'EMCIO': {'EMCIO': 'io', 'CYCLE_TIME': 0.01, 'TOOL_TABLE': 'machine.tbl'},
         'HAL': {'HALFILE': 'machine.hal'},
@@ -115,11 +118,21 @@ def ini(machine):
     return '\n'.join(lines) + '\n'
 
 
+def parameters(offsets):
+    """The text of machine.var: places of the work offsets, G54 at 5221 and each other 20 further."""
+    lines = []
+    for name, place in sorted(offsets.items()):
+        first = 5221 + 20 * (int(name[1:]) - 54)
+        lines += ['%d\t%.6f' % (first + k, value) for k, value in enumerate(place)]
+    return '\n'.join(lines) + '\n' if lines else ''
+
+
 def prepare(folder, program, machine):
     """Fills the work folder of one run."""
     (folder / 'machine.ini').write_text(ini(machine), encoding='utf-8')
-    (folder / 'machine.tbl').write_text('T1 P1 D2\n', encoding='utf-8')
-    (folder / 'machine.var').touch()
+    tools = ''.join('T%d P%d D2\n' % (number, number) for number in range(1, TOOLS + 1))
+    (folder / 'machine.tbl').write_text(tools, encoding='utf-8')
+    (folder / 'machine.var').write_text(parameters(machine.offsets), encoding='utf-8')
     table.write_subroutines(folder)
     for name in ('machine.hal', 'rotary.hal', 'driver.py'):
         shutil.copy(HERE / name, folder / name)

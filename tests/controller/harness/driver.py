@@ -69,6 +69,8 @@ def run(status, command, channel):
         begun = begun or status.motion_line > 0 or status.interp_state != linuxcnc.INTERP_IDLE
         if not begun and time.monotonic() > deadline:
             leave('unknown: the program never began')
+        if idle and status.state == linuxcnc.RCS_ERROR:  # without a message: motion did not answer in time
+            leave('unknown: task gave up at line %d' % status.motion_line)
         calm = calm + 1 if idle and begun else 0
 
 
