@@ -23,13 +23,14 @@ TOOL_TABLE = machine.tbl
 CALL = re.compile(r"N\.{5}\s+(\w+)\((.*)\)\s*$")
 
 
-def interpret(program):
-    """Canonical calls of a program file: a list of (name, [numbers or texts]).
+def interpret(program, tools=(1,)):
+    """Canonical calls of a program file: a list of (name, [numbers or texts]). `tools`: their numbers.
     Raises RuntimeError with the interpreter's words if it refuses the program."""
     with tempfile.TemporaryDirectory() as folder:
         ini = Path(folder) / "machine.ini"
         ini.write_text(INI)
-        (Path(folder) / "machine.tbl").write_text("T1 P1 Z0 D0.0787402\n")
+        table = "".join("T%d P%d Z0 D0.0787402\n" % (tool, tool) for tool in tools)
+        (Path(folder) / "machine.tbl").write_text(table)
         (Path(folder) / "machine.var").write_text("")
         done = subprocess.run(
             ["rs274", "-g", "-i", str(ini), "-t", "machine.tbl", "-v", "machine.var"]

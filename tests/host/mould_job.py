@@ -12,20 +12,20 @@ from patchmill.freecad import host
 
 V = FreeCAD.Vector
 ROOF = {"locked": 12.0, "tilted": -12.0}  # slopes of the two faces that are textured [degrees]
-HOLES = ((6.0, 6.0), (6.0, 24.0), (54.0, 6.0))
+HOLES = ((4.0, 4.0), (4.0, 14.0), (40.0, 4.0))
 
 
 def block():
-    """A block of 60 x 30 x 16 mm with rounded upright edges, a round pocket, three holes, and two slopes."""
-    shape = Part.makeBox(60, 30, 16)
-    shape = shape.makeFillet(4, [e for e in shape.Edges if abs(e.tangentAt(e.FirstParameter).z) > 0.9])
-    shape = shape.cut(Part.makeCylinder(6, 5, V(14, 15, 11)))
+    """A block of 44 x 18 x 16 mm with rounded upright edges, a round pocket, three holes, and two slopes."""
+    shape = Part.makeBox(44, 18, 16)
+    shape = shape.makeFillet(3, [e for e in shape.Edges if abs(e.tangentAt(e.FirstParameter).z) > 0.9])
+    shape = shape.cut(Part.makeCylinder(4.5, 5, V(11, 9, 11)))
     for x, y in HOLES:
         shape = shape.cut(Part.makeCylinder(1.5, 20, V(x, y, -1)))
-    for angle, x in ((ROOF["locked"], 22.0), (ROOF["tilted"], 50.0)):
-        wedge = Part.makeBox(14, 40, 20, V(-7, -5, 0))
+    for angle, x in ((ROOF["locked"], 17.0), (ROOF["tilted"], 37.0)):
+        wedge = Part.makeBox(9, 40, 20, V(-4.5, -5, 0))
         wedge.rotate(V(), V(0, 1, 0), angle)
-        wedge.translate(V(x + (7.0 if x < 36 else -7.0), 0, 13.5))
+        wedge.translate(V(x + (4.5 if x < 27 else -4.5), 0, 13.5))
         shape = shape.cut(wedge)
     return shape
 
