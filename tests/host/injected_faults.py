@@ -1,7 +1,9 @@
 """Faults injected into posted programs: one word changed at random in any copy, operation or stretch between
-them. What reading back does not find is listed. Run it with a number of faults and a seed:
+them. What reading back does not find is listed. Run it with a number of faults and a seed, over small jobs or
+over the mould maker's:
 
     tools/freecad tests/host/injected_faults.py 1000 7
+    tools/freecad tests/host/injected_faults.py 1000 7 mould
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -17,6 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 import FreeCAD  # noqa: E402
 import patchmill  # noqa: E402
+from mould_job import CASES, locked_machines, mould_job  # noqa: E402
 from patchmill import InputError, posting  # noqa: E402
 from patchmill.freecad import host  # noqa: E402
 from patchmill.posting import kept_words, program_header  # noqa: E402
@@ -36,6 +39,7 @@ class Case:
 
     def __init__(self, name, post, job, arguments="--no-header --precision=3"):
         self.name, self.post, self.job = name, post, job
+        self.half_unit = 0.5 * 10.0 ** -int(re.search(r"--precision=(\d)", arguments).group(1))
         own = posting.own_dialect(post)
         self.dialect, self.own = own.dialect if own else "linuxcnc", own is not None
         with tempfile.TemporaryDirectory() as folder:
@@ -53,7 +57,7 @@ class Case:
     def read(self, lines):
         """Reads a program as posting does. Raises InputError for what is found."""
         text = "\n".join(lines)
-        posted = posted_job.read_back(text, self.objects, self.dialect, 0.0005, self.known, self.own)
+        posted = posted_job.read_back(text, self.objects, self.dialect, self.half_unit, self.known, self.own)
         for one in posted:
             if isinstance(one, PostedTexture):
                 checks.require_clear(one.operation, one.path, one.unplaced, blind=one.blind)
@@ -73,7 +77,8 @@ class Case:
             new = _changed(word.group(), choose)
             line = self.lines[number]
             spoilt = line[: word.start()] + new + line[word.end() :]
-            if spoilt != line and not (word.group()[0] == new[0] == "N"):  # the number of a block
+            same = (new[0], float(new[1:])) == (word.group()[0], float(word.group()[1:]))  # such as G-0
+            if not same and not (word.group()[0] == new[0] == "N"):  # the number of a block
                 return number, word.group(), new, spoilt
 
 
@@ -133,17 +138,27 @@ def not_found(case, number, seed):
     return missed
 
 
-def main(number, seed):
-    total = 0
-    each = -(-number // 8)
-    for case in cases():
-        missed = not_found(case, each, seed)
-        total += len(missed)
-        print("%s, %s: %d of %d not found" % (case.name, case.post, len(missed), each))
-        for line, word, new in missed:
-            print("    %s -> %s in %r" % (word, new, line))
-    print("%d of %d faults not found" % (total, 8 * each))
+def mould_cases(folder):
+    """Cases of the mould maker's job by every post, with few patches; `folder`: of machine files."""
+    locked_machines(folder)
+    for post, machine, strategy, offsets, decimals in CASES:
+        job, _ = mould_job(machine, strategy, decimals, offsets, patches=2)
+        yield Case("mould, %s" % strategy, post, job, job.PostProcessorArgs)
+        FreeCAD.closeDocument(job.Document.Name)
+
+
+def main(number, seed, mould=""):
+    total = count = 0
+    with tempfile.TemporaryDirectory() as folder:
+        each = -(-number // (len(CASES) if mould else 8))
+        for case in mould_cases(folder) if mould else cases():
+            missed = not_found(case, each, seed)
+            total, count = total + len(missed), count + each
+            print("%s, %s: %d of %d not found" % (case.name, case.post, len(missed), each), flush=True)
+            for line, word, new in missed:
+                print("    %s -> %s in %r" % (word, new, line), flush=True)
+    print("%d of %d faults not found" % (total, count))
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]), int(sys.argv[2]))
+    main(int(sys.argv[1]), int(sys.argv[2]), *sys.argv[3:])

@@ -4,15 +4,40 @@ copy milling, with three tools, for tests of whole programs.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import json
+import os
+
 import FreeCAD
 import Part
 import patchmill
 from milling_jobs import native
 from patchmill.freecad import host
+from patchmill.machine import machines
 
 V = FreeCAD.Vector
 ROOF = {"locked": 12.0, "tilted": -12.0}  # slopes of the two faces that are textured [degrees]
 HOLES = ((4.0, 4.0), (4.0, 14.0), (40.0, 4.0))
+
+BOTH = ("G54", "G55")
+LOCKED, TIMED, CONSTANT = "Spindle-locked", "Feed per move", "Constant feed"
+CASES = [  # post, machine of the textures, strategy of the first, work offsets, decimals
+    ("patchmill_linuxcnc", "table-table-ac", LOCKED, BOTH, 4),
+    ("patchmill_fanuc", "locked-head-head-ca", LOCKED, BOTH, 4),
+    ("patchmill_siemens", "locked-head-table-bc", LOCKED, BOTH, 4),
+    ("patchmill_heidenhain", "nutating-table-bc-45", TIMED, ("G54",), 4),
+    ("patchmill_grblhal", "", CONSTANT, BOTH, 4),
+    ("patchmill_haas", "", CONSTANT, BOTH, 4),
+    ("linuxcnc", "table-table-ac", TIMED, ("G54",), 4),
+]
+
+
+def locked_machines(folder):
+    """Machine files like two shipped ones, but with controls that can follow the spindle."""
+    os.environ["PATCHMILL_MACHINES"] = folder
+    for key in ("head-head-ca", "head-table-bc"):
+        data = dict(machines.load(key).data, spindle_lock=True)
+        with open(os.path.join(folder, "locked-%s.json" % key), "w", encoding="utf-8") as file:
+            json.dump(data, file)
 
 
 def block():
@@ -90,9 +115,10 @@ def texture(job, face, ball, label, machine, **properties):
     return operation
 
 
-def mould_job(machine, strategy="Spindle-locked", decimals=4, offsets=("G54", "G55")):
+def mould_job(machine, strategy="Spindle-locked", decimals=4, offsets=("G54", "G55"), patches=0):
     """(job, textures): recomputed. `machine`: of both textures, the second of which is milled with the tool
-    tilted; '' for none, with both upright. `strategy`: of the first one."""
+    tilted; '' for none, with both upright. `strategy`: of the first one. `patches`: of each texture along
+    either side, 0: over the whole face."""
     document = FreeCAD.newDocument("mould")
     part = document.addObject("Part::Feature", "Mould")
     part.Shape = block()
@@ -113,6 +139,7 @@ def mould_job(machine, strategy="Spindle-locked", decimals=4, offsets=("G54", "G
     tilted = texture(job, second, ball, "Tilted", machine, Decimals=decimals)
     if machine:
         tilted.FixedAxis = V(0.0, 0.2, 1.0)
+    locked.PatchesX = locked.PatchesY = tilted.PatchesX = tilted.PatchesY = patches
     copy = patchmill.CopyMilling.Create("Copy", parentJob=job)
     copy.ToolController, copy.Base = ball, [(model, [second])]
     copy.Passes, copy.RadialDepth, copy.AxialDepth = "Finishing", 1.0, 2.0

@@ -4,7 +4,6 @@ every operation at every work offset, with its tool.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import json
 import os
 import pathlib
 import sys
@@ -15,32 +14,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 import _patchmill as core  # noqa: E402
 import patchmill  # noqa: E402
-from mould_job import mould_job  # noqa: E402
+from mould_job import BOTH, CASES, TIMED, locked_machines, mould_job  # noqa: E402
 from parts import WithDocuments  # noqa: E402
 from patchmill import InputError  # noqa: E402
-from patchmill.machine import machines  # noqa: E402
 
-BOTH = ("G54", "G55")
-LOCKED, TIMED, CONSTANT = "Spindle-locked", "Feed per move", "Constant feed"
-CASES = [  # post, machine of the textures, strategy of the first, work offsets, decimals
-    ("patchmill_linuxcnc", "table-table-ac", LOCKED, BOTH, 4),
-    ("patchmill_fanuc", "locked-head-head-ca", LOCKED, BOTH, 4),
-    ("patchmill_siemens", "locked-head-table-bc", LOCKED, BOTH, 4),
-    ("patchmill_heidenhain", "nutating-table-bc-45", TIMED, ("G54",), 4),
-    ("patchmill_grblhal", "", CONSTANT, BOTH, 4),
-    ("patchmill_haas", "", CONSTANT, BOTH, 4),
-    ("linuxcnc", "table-table-ac", TIMED, ("G54",), 4),
-]
 OPERATIONS = ["Locked", "Tilted", "Face", "Pocket", "Drilling", "Profile", "Copy"]
-
-
-def locked_machines(folder):
-    """Machine files like two shipped ones, but with controls that can follow the spindle."""
-    os.environ["PATCHMILL_MACHINES"] = folder
-    for key in ("head-head-ca", "head-table-bc"):
-        data = dict(machines.load(key).data, spindle_lock=True)
-        with open(os.path.join(folder, "locked-%s.json" % key), "w", encoding="utf-8") as file:
-            json.dump(data, file)
 
 
 class MouldJob(WithDocuments):
