@@ -7,6 +7,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import contextlib
 import gc
 import html
+import sys
+import traceback
 
 import FreeCAD
 from FreeCAD import Qt
@@ -33,7 +35,9 @@ def let_shrink(editor):
 def forget_closed_panels():
     """To be called before a panel is made. PySide gives a new widget the Python object of one that had its
     address, even of one that is deleted, as long as anything refers to that; what is left of closed panels
-    refers to itself in circles, until Python collects it."""
+    refers to itself in circles, until Python collects it; and the traceback of an error that Python keeps
+    refers to all that was at work then."""
+    traceback.clear_frames(getattr(sys, "last_traceback", None))
     gc.collect()
 
 

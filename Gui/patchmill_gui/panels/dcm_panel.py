@@ -181,10 +181,16 @@ class DcmPanel(Computing):
         document.recompute()
         return True
 
-    def _close(self):
+    def leave(self):
+        """Gives up what runs for the panel, and what only the panel showed; its widgets may be gone."""
+        self.work.cancel()
         self.legend.hide()
         for part in ("slice", "arrows"):
             self.scene.parts.switch(part, False)
+
+    def _close(self):
+        self.obj.ViewObject.Proxy.panel = None
+        self.leave()
         FreeCADGui.Control.closeDialog()
         self.view_document.resetEdit()
 
@@ -216,6 +222,8 @@ class DcmView:
     """View provider of a DressupDCM."""
 
     __module__ = "patchmill_gui.dcm_panel"  # what documents save
+
+    panel = None  # while it is open
 
     def __init__(self, vobj):
         self.scene = None
@@ -254,6 +262,10 @@ class DcmView:
         return True
 
     def unsetEdit(self, vobj, mode=0):
+        """Something else is edited, or the object goes in an undo."""
+        panel, self.panel = self.panel, None
+        if panel is not None:
+            panel.leave()
         return False
 
     def onDelete(self, vobj, names=None):

@@ -72,6 +72,8 @@ class OperationPanel(NativePanel):
     """FreeCAD's panel; Apply previews, and OK closes it when the work behind it is done. A subclass gives
     `preview`, starts its work in `accept` and calls `close_with` at the end."""
 
+    left = False  # closed without OK or Cancel: its operation may be gone
+
     def setupUi(self):
         super().setupUi()
         for page in self.featurePages:
@@ -109,6 +111,7 @@ class OperationPanel(NativePanel):
         """Closes without OK or Cancel. The document may be in the middle of an undo, or of being closed:
         nothing of it is recomputed before the event loop has its turn."""
         self.stop()
+        self.left = True
         for page in self.featurePages:
             page.onDirtyChanged(None)
             page.pageCleanup()
@@ -132,6 +135,8 @@ class OperationPanel(NativePanel):
     def close_with(self, ready):
         """Recomputes the operation with what was made beforehand, and closes. Not to be called inside
         FreeCAD's own call of accept, where it commits nothing."""
+        if self.left:
+            return
         self.obj.Proxy.ready = ready
         self.obj.Document.recompute()  # inside the transaction
         with host.active_document(self.obj.Document):  # another one may be in front
@@ -175,6 +180,8 @@ class OperationPage(NativePage):
         return form, layout
 
     def getFields(self, obj):
+        if host.PathUtils.findParentJob(obj) is None:
+            return  # in the middle of an undo: a field that loses the keyboard then says that it was edited
         self.properties.store()
         self.updateToolController(obj, self.form.toolController)
         self.updateCoolant(obj, self.form.coolantController)

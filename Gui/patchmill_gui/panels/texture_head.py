@@ -140,8 +140,9 @@ class Head(QtGui.QFrame):
             self._area.widget().setMinimumHeight(0)
             m = self._margins
             self._area.setViewportMargins(m.left(), m.top(), m.right(), m.bottom())
-            self._area = None
+            self._area = self._kept = None
         self.hide()
+        self.setParent(None)  # PySide keeps what has a parent
         self.deleteLater()
 
     def eventFilter(self, _, event):

@@ -259,6 +259,8 @@ class TexturePanel(OperationPanel):
         return False  # _finish closes the dialog
 
     def _finish(self):
+        if self.left:
+            return
         self.stop()
         preferences.remember_machine(self.obj.Machine)
         self.close_with(self.ready)
