@@ -102,16 +102,19 @@ RC_GTEST_PROP(RemainingStock, EqualsAskingEverySample, (unsigned seed)) {
   });
   RemainingStock stock(grid);
   Tool tool{2.5 + 2.0 * number(random), 2};
-  if (seed % 4 == 1) tool.corner_radius = 0.0;
-  if (seed % 4 == 2) tool.corner_radius = 0.3 * tool.radius;
-  if (seed % 4 == 3) tool.taper = Angle::degrees(15.0);
+  if (seed % 3 == 1) tool.corner_radius = 0.0;
+  if (seed % 3 == 2) tool.corner_radius = 0.3 * tool.radius;
+  if (seed / 3 % 2 == 1) tool.taper = Angle::degrees(15.0);
+  if (seed / 6 % 2 == 1) tool.shaft.cutting_length = 6.0;
+  const double edges =
+      seed / 3 % 4 == 3 ? 6.0 : 1e9;  // a shank as thick as a cylinder takes what is left
   for (int cut = 0; cut < 12; ++cut) {
     const Vec3 centre(18 + 25 * number(random), 12 + 18 * number(random), 10 + 14 * number(random));
     const Vec3 axis = Vec3(number(random), number(random), 1.01 + number(random)).normalized();
     const std::size_t before = samples.size();
     const auto in_tool = [&](const Vec3& p) {
       const double up = (p - centre).dot(axis), above_tip = up + tool.corner();
-      return above_tip >= 0.0 && above_tip >= tool.height_at((p - centre - up * axis).norm());
+      return above_tip <= edges && above_tip >= tool.height_at((p - centre - up * axis).norm());
     };
     samples.erase(std::remove_if(samples.begin(), samples.end(), in_tool), samples.end());
     RC_ASSERT(stock.cut(centre, axis, tool) == (samples.size() < before));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <limits>
 
 namespace patchmill::dcm {
 namespace {
@@ -27,11 +28,13 @@ struct Scan {
 
 }  // namespace
 
-// The cutter: all points within its corner of a core, a cylinder or a cone that begins at the centre (tool.h).
+// The cutter: all points within its corner of a core, a cylinder or a cone that begins at the centre (tool.h). A cone
+// cuts no higher than its edges go, if it is known how far that is.
 struct RemainingStock::Swath {
   Vec3 centre, axis;
   double corner, core;  // r, and the core's radius at the centre
   double cosine, sine;  // of the taper
+  double top;           // of a cone's edges, above the centre
 
   Swath(const Vec3& at, const Vec3& along, const Tool& tool)
       : centre(at),
@@ -39,7 +42,10 @@ struct RemainingStock::Swath {
         corner(tool.corner()),
         core(tool.radius - tool.corner()),
         cosine(std::cos(tool.taper.radians())),
-        sine(std::sin(tool.taper.radians())) {}
+        sine(std::sin(tool.taper.radians())),
+        top(sine > 0.0 && tool.shaft.cutting_length > 0.0
+                ? tool.shaft.cutting_length - tool.corner()
+                : std::numeric_limits<double>::infinity()) {}
 
   // Is p in the tool, or no further than `more` from it (or a little further)?
   bool holds(const Vec3& p, double more) const {
@@ -47,7 +53,9 @@ struct RemainingStock::Swath {
     const double up = d.dot(axis), r = corner + more;
     if (core == 0.0 && sine == 0.0)  // a ball: without a root
       return (d - std::max(0.0, up) * axis).squaredNorm() <= r * r;
+    if (up > top + more) return false;
     const double beside = (d - up * axis).norm() - core;
+    if (up >= 0.0 && beside <= 0.0) return true;  // in the core, whichever of its faces is next
     if (up * cosine + beside * sine > 0.0) return beside * cosine - up * sine <= r;
     const double across = std::max(0.0, beside);
     return up * up + across * across <= r * r;
