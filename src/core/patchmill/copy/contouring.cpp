@@ -11,8 +11,10 @@
 namespace patchmill::copy {
 namespace {
 
+// As far beyond the stock as the tool, with its flank up to the stock's top, may be kept away.
 PlanarGrid level_grid(const CopyOptions& options, double pitch) {
-  const Vec2 reach = Vec2::Constant(2.0 * options.tool.radius + options.allowance);
+  const double flank = options.stock.size().z() * std::tan(options.tool.taper.radians());
+  const Vec2 reach = Vec2::Constant(2.0 * options.tool.radius + options.allowance + flank);
   return planar_grid(options.stock.lo.head<2>() - reach, options.stock.hi.head<2>() + reach, pitch);
 }
 

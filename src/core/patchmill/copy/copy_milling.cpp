@@ -6,6 +6,7 @@
 #include "patchmill/copy/drop_probe.h"
 #include "patchmill/copy/path_builder.h"
 #include "patchmill/copy/scanning.h"
+#include "patchmill/copy/tool_drop.h"
 #include "patchmill/geometry/error.h"
 #include "patchmill/geometry/stop.h"
 
@@ -174,7 +175,9 @@ CopiedPath contour(const mesh::TriangleBvh& part, const CopyOptions& o, const Pr
   for (std::size_t k = 0; k < level.size(); ++k) {
     if (!go_on(progress, double(k) / double(level.size()))) break;
     const std::vector<Polyline> inner = ball_contours(part, level[k], o);
-    if (inner.empty()) {  // all of the level is free: straight lines
+    if (inner.empty()) {  // all of the level is free: straight lines; or nothing of it is
+      const Vec3 middle = 0.5 * (o.stock.lo + o.stock.hi);
+      if (drop_tool(part, middle.x(), middle.y(), o.tool, o.allowance) > level[k]) continue;
       for (std::size_t j = 0; j < y.size(); ++j)
         cut_runs({{{o.stock.lo.x(), level[k]}, {o.stock.hi.x(), level[k]}}}, y[j], j % 2 == 1,
                  builder);
