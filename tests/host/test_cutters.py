@@ -40,17 +40,36 @@ class Cutters(unittest.TestCase):
         tapered = tool_controller.cutter(controller_with("taperedballnose", TaperAngle=10.0))
         self.assertAlmostEqual(math.degrees(tapered.taper), 5.0)
         self.assertEqual(tapered.name, "tapered ball end mill")
+        for kind in ("v-bit", "VBit", "chamfer"):  # of FreeCAD 0.20, of 1.1, and as both name it
+            said = {"TipDiameter": 0.5, "CuttingEdgeAngle": 90.0, "CuttingEdgeHeight": 2.5}
+            cone = tool_controller.cutter(controller_with(kind, **said))
+            self.assertEqual((cone.radius, cone.corner_radius, cone.name), (0.25, 0.0, "conical end mill"))
+            self.assertAlmostEqual(math.degrees(cone.taper), 45.0)
+            self.assertEqual(cone.cutting_length, 2.5)
+
+    def test_edges_shank_and_length(self):
+        tool = tool_controller.cutter(controller_with("ballend"))  # of 6 mm: what its bit does not say
+        self.assertEqual((tool.cutting_length, tool.shank_radius, tool.stick_out), (12.0, 3.0, 60.0))
+        said = {"CuttingEdgeHeight": 10.0, "ShankDiameter": 8.0, "Length": 45.0}
+        tool = tool_controller.cutter(controller_with("ballend", **said))
+        self.assertEqual((tool.cutting_length, tool.shank_radius, tool.stick_out), (10.0, 4.0, 45.0))
 
     def test_what_is_no_end_mill_is_refused_by_its_kind(self):
         for controller, name in (
             (controller_with("drill"), "ToolController"),
             (controller_with("bullnose", FlatRadius=3.5), "FlatRadius"),
+            (controller_with("v-bit", TipDiameter=0.0, CuttingEdgeAngle=60.0), "TipDiameter"),
+            (controller_with("v-bit", TipDiameter=0.1, CuttingEdgeAngle=121.0), "CuttingEdgeAngle"),
+            (controller_with("v-bit", TipDiameter=0.1, CuttingEdgeAngle=0.0), "CuttingEdgeAngle"),
         ):
             with self.assertRaises(InputError) as caught:
                 tool_controller.cutter(controller)
             self.assertEqual(caught.exception.property, name)
         # of any other bit the tip is known: that is where a feed is read
         self.assertEqual(tool_controller.any_cutter(controller_with("drill")).corner_radius, 0.0)
+        pointed = controller_with("v-bit", TipDiameter=0.0, CuttingEdgeAngle=60.0)
+        self.assertFalse(tool_controller.is_known(pointed.Tool))
+        self.assertEqual(tool_controller.any_cutter(pointed).taper, 0.0)
 
     def test_a_bull_nose_mills_a_copy_and_gouges_nothing(self):
         document, job = make_job(make_parts.convex_part(), "bull", ball=True)

@@ -11,6 +11,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import host, tool_bits
 
+CONES = ("v-bit", "vbit", "chamfer")  # FreeCAD's kinds of conical end mills
 SENSES = {"Forward": "M3", "Reverse": "M4"}
 
 
@@ -34,8 +35,8 @@ def require_ball_end(controller, remedy):
 
 
 def cutter(controller, operation=None):
-    """The _patchmill.Tool of a controller: ball, bull nose, flat or tapered ball end mill, with its shank,
-    and the holder and stick-out that `operation` says (tool_bits.shaft). Raises InputError naming
+    """The _patchmill.Tool of a controller: ball, bull nose, flat, tapered ball or conical end mill, with its
+    shank, and the holder and stick-out that `operation` says (tool_bits.shaft). Raises InputError naming
     ToolController if the bit is none of them, StickOut, or what its bit says wrongly."""
     require_tool(controller)
     bit, kind = controller.Tool, host.tool_kind(controller.Tool)
@@ -46,8 +47,10 @@ def cutter(controller, operation=None):
         corner = 0.0
     elif kind == "taperedballnose":
         taper = 0.5 * math.radians(float(bit.TaperAngle))  # FreeCAD's is between the flanks
+    elif kind in CONES:
+        radius, corner, taper = _tip_radius(bit), 0.0, _half_angle(bit)
     elif kind != "ballend":
-        remedy = "choose a ball, bull nose, flat or tapered ball end mill."
+        remedy = "choose a ball, bull nose, flat, tapered ball or conical end mill."
         raise InputError("ToolController", "%s (%s)" % (controller.Label, kind or "unknown kind"), remedy)
     end = radius if corner is None else corner
     return core.Tool(radius, flutes(bit), corner, taper, **tool_bits.shaft(bit, operation, end))
@@ -84,8 +87,29 @@ def above(frustum, height):
 
 
 def is_known(bit):
-    """Whether the shape of a tool bit's cutting end is known."""
-    return host.tool_kind(bit) in ("ballend", "bullnose", "torus", "endmill", "taperedballnose")
+    """Whether the shape of a tool bit's cutting end is known: of a cone without a tip it is not."""
+    kind = host.tool_kind(bit)
+    if kind in CONES:
+        return float(getattr(bit, "TipDiameter", 0.0)) > 0.0
+    return kind in ("ballend", "bullnose", "torus", "endmill", "taperedballnose")
+
+
+def _tip_radius(bit):
+    """[mm], of the flat tip of a cone: no cone is ground to a point."""
+    tip = float(getattr(bit, "TipDiameter", 0.0))
+    if not tip > 0.0:
+        remedy = "give %s the width of its flat tip, more than 0." % bit.Label
+        raise InputError("TipDiameter", "%g mm" % tip, remedy)
+    return tip / 2.0
+
+
+def _half_angle(bit):
+    """Between the flank of a cone and its axis [rad]; FreeCAD's is between the flanks."""
+    angle = float(bit.CuttingEdgeAngle)
+    if not 0.0 < angle <= 120.0:
+        remedy = "the angle between the flanks of %s is more than 0 and at most 120 degrees." % bit.Label
+        raise InputError("CuttingEdgeAngle", "%g degrees" % angle, remedy)
+    return 0.5 * math.radians(angle)
 
 
 def _corner_radius(bit, radius):

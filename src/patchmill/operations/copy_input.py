@@ -101,8 +101,8 @@ def _compound(faces):
 def _cutting(obj):
     controller = obj.ToolController
     tool = tool_controller.cutter(controller, obj)
-    if tool.corner_radius == 0.0:
-        remedy = "copy milling takes a ball or bull nose end mill: choose one."
+    if tool.corner_radius == 0.0 and tool.taper == 0.0:
+        remedy = "copy milling takes a ball, bull nose, tapered or conical end mill: choose one."
         raise InputError("ToolController", "%s (%s)" % (controller.Label, tool.name), remedy)
     for name in ("HorizFeed", "VertFeed"):
         feed = getattr(controller, name).Value

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/collision/mesh_distance.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace patchmill::collision {
@@ -34,6 +36,19 @@ TEST(CuttingEnd, OfABullNoseTouchesWhereItsProfileDoes) {
     EXPECT_EQ(deep.findings[0].part, ToolPart::End);
     EXPECT_GT(deep.findings[0].depth, 0.03);
     EXPECT_LT(deep.findings[0].depth, 0.1);
+  }
+}
+
+TEST(CuttingEnd, OfAConeTouchesWithItsTipAndItsFlank) {
+  Tool cone{3.0, 2, 0.0};
+  cone.taper = Angle::degrees(45.0);
+  for (const Vec2& touch : {Vec2(1.5, 0.0), Vec2(4.0, -1.0)}) {
+    for (const double above : {5.0, 0.5, 0.001, -0.008})
+      EXPECT_EQ(cut(cone, touch.x(), touch.y() + above).outcome, ClearanceOutcome::Clear) << above;
+    const auto deep = cut(cone, touch.x(), touch.y() - 0.1);
+    ASSERT_EQ(deep.outcome, ClearanceOutcome::Violated);
+    EXPECT_EQ(deep.findings[0].part, ToolPart::End);
+    EXPECT_NEAR(deep.findings[0].depth, touch.x() < 3.0 ? 0.1 : 0.1 * std::sqrt(0.5), 0.02);
   }
 }
 

@@ -20,6 +20,12 @@ namespace {
 const Tool kBull{3.0, 2, 1.0};
 const Tool kFlat{3.0, 2, 0.0};
 
+Tool cone(double tip, double degrees, double corner = 0.0) {
+  Tool tool{tip, 2, corner};
+  tool.taper = Angle::degrees(degrees);
+  return tool;
+}
+
 TEST(ToolDrop, OnABox) {
   const mesh::TriangleBvh box(mesh::box_mesh({-10, -10, -5}, {10, 10, 0}));
   for (const Tool& tool : {kBull, kFlat}) {
@@ -35,6 +41,19 @@ TEST(ToolDrop, OnABox) {
   EXPECT_NEAR(drop_tool(box, 12.9, 2.0, kBull, 0.5), std::sqrt(1.5 * 1.5 - 0.81), 1e-9);
 }
 
+// Beside a box the flank of a cone touches its edge, and as far below as the cone is higher there.
+TEST(ToolDrop, OfAConeOnABox) {
+  const mesh::TriangleBvh box(mesh::box_mesh({-10, -10, -50}, {10, 10, 0}));
+  const Tool v_bit = cone(0.5, 30.0);
+  EXPECT_NEAR(drop_tool(box, 1.0, 2.0, v_bit, 0.0), 0.0, 1e-12);
+  EXPECT_NEAR(drop_tool(box, 12.5, 2.0, v_bit, 0.0), -2.0 * std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(drop_tool(box, 13.0, 14.0, v_bit, 0.0), -4.5 * std::sqrt(3.0),
+              1e-9);  // 5 from the corner
+  // thicker by 0.2 at right angles to the flank, 0.4 along the axis; the centre is 0.2 above the tip
+  EXPECT_NEAR(drop_tool(box, 12.5, 2.0, v_bit, 0.2), -2.0 * std::sqrt(3.0) + 0.4, 1e-9);
+  EXPECT_NEAR(drop_tool(box, 1.0, 2.0, v_bit, 0.2), 0.2, 1e-12);
+}
+
 // On a slope the corner's circle touches: its centre lies r along the normal from the plane, R - r from the axis.
 TEST(ToolDrop, OnASlope) {
   mesh::TriangleMesh slope;
@@ -45,6 +64,8 @@ TEST(ToolDrop, OnASlope) {
   EXPECT_NEAR(drop_tool(bvh, 0.0, 0.0, kBull, 0.0), 1.0 / std::cos(tilt) + 2.0 * std::tan(tilt),
               1e-9);
   EXPECT_NEAR(drop_tool(bvh, 0.0, 0.0, kFlat, 0.0), 3.0 * std::tan(tilt), 1e-9);
+  // a cone steeper than the slope stands on the rim of its tip
+  EXPECT_NEAR(drop_tool(bvh, 0.0, 0.0, cone(0.5, 30.0), 0.0), 0.5 * std::tan(tilt), 1e-9);
 }
 
 // Many points of random triangles, tried one by one: none lifts the cutter higher, and one nearly as high.
@@ -60,7 +81,7 @@ RC_GTEST_PROP(ToolDrop, IsTheHighestOfAllPoints, (unsigned seed)) {
   }
   Tool tool{1.5 + number(random), 2, std::nullopt};
   if (seed % 3 != 2) tool.corner_radius = seed % 3 == 0 ? 0.0 : 0.4 * tool.radius;
-  if (seed % 3 == 2) tool.taper = Angle::degrees(20.0);
+  if (seed % 3 == 2 || seed % 2 == 1) tool.taper = Angle::degrees(20.0);
   const mesh::TriangleBvh bvh(mesh);
   const Vec2 p(2 * number(random), 2 * number(random));
   const double found = drop_tool(bvh, p.x(), p.y(), tool, 0.0);
@@ -88,15 +109,15 @@ RC_GTEST_PROP(ToolDrop, OfABallIsDropBall, (std::uint16_t x, std::uint16_t y)) {
   RC_ASSERT(std::abs(drop_tool(part, px, py, nearly, 0.2) - drop_ball(part, px, py, 3.2)) < 1e-6);
 }
 
-class BullNose : public testing::TestWithParam<std::tuple<CopyMode, double>> {};
+class Cutter : public testing::TestWithParam<std::tuple<CopyMode, Tool>> {};
 
 // At no place of any move is the tool nearer to the part than the allowance less the tolerance.
-TEST_P(BullNose, CutsNoDeeperThanTheTolerance) {
+TEST_P(Cutter, CutsNoDeeperThanTheTolerance) {
   const mesh::TriangleBvh part(shapes::convex_part(20));
-  const auto [mode, corner] = GetParam();
+  const auto [mode, tool] = GetParam();
   CopyOptions options;
   options.mode = mode;
-  options.tool = {3.0, 2, corner};
+  options.tool = tool;
   options.spindle.speed = 100.0;
   options.feed = 400.0 / 60.0;
   options.radial_depth = 5.0;
@@ -128,9 +149,11 @@ TEST_P(BullNose, CutsNoDeeperThanTheTolerance) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, BullNose,
+INSTANTIATE_TEST_SUITE_P(Modes, Cutter,
                          testing::Combine(testing::Values(CopyMode::Scanning, CopyMode::Contour),
-                                          testing::Values(1.0, 0.0)));
+                                          testing::Values(kBull, kFlat, cone(0.5, 15.0),
+                                                          cone(2.0, 10.0, 0.5),
+                                                          cone(0.5, 15.0, 0.5))));
 
 TEST(CopyMill, UndercutsNeedABall) {
   CopyOptions options;

@@ -18,8 +18,8 @@ Tool bull_nose(double radius, double corner) {
   return {radius, 2, corner};
 }
 
-Tool tapered(double radius, double degrees) {
-  Tool tool{radius, 2};
+Tool tapered(double radius, double degrees, std::optional<double> corner = std::nullopt) {
+  Tool tool{radius, 2, corner};
   tool.taper = Angle::degrees(degrees);
   return tool;
 }
@@ -30,7 +30,12 @@ TEST(Tool, ShapesAreNamedByTheirRadii) {
   EXPECT_EQ(bull_nose(3.0, 1.0).shape(), CutterShape::BullNose);
   EXPECT_EQ(bull_nose(3.0, 0.0).shape(), CutterShape::Flat);
   EXPECT_EQ(tapered(3.0, 5.0).shape(), CutterShape::TaperedBall);
+  EXPECT_EQ(tapered(3.0, 5.0, 1.0).shape(), CutterShape::TaperedBullNose);
+  EXPECT_EQ(tapered(0.5, 45.0, 0.0).shape(), CutterShape::Conical);
   EXPECT_EQ(std::string(name(CutterShape::BullNose)), "bull nose end mill");
+  EXPECT_EQ(std::string(name(CutterShape::TaperedBall)), "tapered ball end mill");
+  EXPECT_EQ(std::string(name(CutterShape::TaperedBullNose)), "tapered bull nose end mill");
+  EXPECT_EQ(std::string(name(CutterShape::Conical)), "conical end mill");
 }
 
 TEST(Tool, HeightsOfTheCuttingSurface) {
@@ -45,13 +50,19 @@ TEST(Tool, HeightsOfTheCuttingSurface) {
   const Tool cone = tapered(1.0, 30.0);  // the flank leaves the ball at cos 30 from the axis
   EXPECT_NEAR(cone.height_at(std::cos(kPi / 6)), 0.5, 1e-12);
   EXPECT_NEAR(cone.height_at(std::cos(kPi / 6) + 1.0), 0.5 + std::sqrt(3.0), 1e-12);
+  const Tool v_bit = tapered(0.25, 30.0, 0.0);  // 60 degrees between its flanks
+  EXPECT_EQ(v_bit.height_at(0.25), 0.0);
+  EXPECT_NEAR(v_bit.height_at(1.25), std::sqrt(3.0), 1e-12);
 }
 
 // The slope is the height's, it grows outwards, and the place of a slope is where it is.
 RC_GTEST_PROP(Tool, SlopesBelongToTheHeights, (unsigned kind, unsigned at)) {
-  const Tool tool = kind % 3 == 0   ? Tool{4.0, 2}
-                    : kind % 3 == 1 ? bull_nose(4.0, 0.5 + 0.01 * (kind / 3 % 300))
-                                    : tapered(2.0, 1.0 + 0.1 * (kind / 3 % 400));
+  const unsigned vary = kind / 5;
+  const Tool tool = kind % 5 == 0   ? Tool{4.0, 2}
+                    : kind % 5 == 1 ? bull_nose(4.0, 0.5 + 0.01 * (vary % 300))
+                    : kind % 5 == 2 ? tapered(2.0, 1.0 + 0.1 * (vary % 400))
+                    : kind % 5 == 3 ? tapered(2.0, 1.0 + 0.1 * (vary % 400), 0.7)
+                                    : tapered(2.0, 1.0 + 0.1 * (vary % 400), 0.0);
   const double d = 0.001 + 0.0035 * (at % 1000), h = 1e-6;
   const double slope = tool.slope_at(d), bend = tool.slope_at(d + h) - tool.slope_at(d - h);
   if (d + h >= tool.radius || bend > 1e-3) return;
@@ -64,9 +75,12 @@ RC_GTEST_PROP(Tool, SlopesBelongToTheHeights, (unsigned kind, unsigned at)) {
 
 // The cutter is all points within the corner's radius of its core.
 RC_GTEST_PROP(Tool, TheCoreMadeThickerIsTheCutter, (unsigned kind, unsigned at)) {
-  const Tool tool = kind % 3 == 0   ? Tool{4.0, 2}
-                    : kind % 3 == 1 ? bull_nose(4.0, 0.01 * (kind / 3 % 400))
-                                    : tapered(2.0, 0.1 * (kind / 3 % 400));
+  const unsigned vary = kind / 5;
+  const Tool tool = kind % 5 == 0   ? Tool{4.0, 2}
+                    : kind % 5 == 1 ? bull_nose(4.0, 0.01 * (vary % 400))
+                    : kind % 5 == 2 ? tapered(2.0, 0.1 * (vary % 400))
+                    : kind % 5 == 3 ? tapered(2.0, 0.1 * (vary % 400), 0.01 * (vary % 200))
+                                    : tapered(2.0, 0.1 * (vary % 400), 0.0);
   const double across = 0.0045 * (at % 1000), r = tool.corner();
   const double height = tool.height_at(across);
   if (std::isinf(height) || height > 50.0) return;
@@ -91,6 +105,17 @@ TEST(Tool, ScallopsOfABallAndOfABullNose) {
   EXPECT_NEAR(scallop_height(bull, 9.6), 1.0 - 0.6, 1e-12);
 }
 
+// A cone leaves ridges with its own flanks, a ball with a taper above the ball its cone's.
+TEST(Tool, ScallopsOfCuttersWithATaper) {
+  const Tool v_bit = tapered(0.25, 45.0, 0.0);
+  EXPECT_EQ(scallop_height(v_bit, 0.5), 0.0);
+  EXPECT_NEAR(scallop_height(v_bit, 3.5), 1.5,
+              1e-12);  // 1.75 - 0.25 beside the tip, as high at 45 degrees
+  EXPECT_NEAR(scallop_height(tapered(1.0, 30.0), 2.0 * std::cos(kPi / 6) + 2.0),
+              0.5 + std::sqrt(3.0), 1e-12);
+  EXPECT_EQ(scallop_height(bull_nose(5.0, 1.0), 20.0), 1.0);
+}
+
 TEST(Tool, WhatIsNoToolIsNamed) {
   const auto property = [](const Tool& tool) {
     try {
@@ -105,9 +130,9 @@ TEST(Tool, WhatIsNoToolIsNamed) {
   EXPECT_EQ(property(bull_nose(3.0, 3.1)), "CornerRadius");
   EXPECT_EQ(property(bull_nose(3.0, -0.1)), "CornerRadius");
   EXPECT_EQ(property(tapered(3.0, 61.0)), "TaperAngle");
-  Tool tool = bull_nose(3.0, 1.0);
-  tool.taper = Angle::degrees(5.0);
-  EXPECT_EQ(property(tool), "TaperAngle");
+  EXPECT_EQ(property(tapered(3.0, 60.0, 0.0)), "");
+  EXPECT_EQ(property(tapered(3.0, -1.0, 0.0)), "TaperAngle");
+  EXPECT_EQ(property(tapered(3.0, 5.0, 1.0)), "");
 }
 
 TEST(Tool, WhatIsNoBallIsRefusedByItsName) {
@@ -152,6 +177,17 @@ TEST(Tool, EdgesOfATaperedBallGoAlongItsFlank) {
   EXPECT_NEAR(flute.radius_from, std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(flute.radius_to, std::sqrt(3.0) + 10.0 * std::tan(kPi / 6), 1e-12);
   EXPECT_NEAR(tool.height_at(flute.radius_to), flute.to, 1e-12);
+}
+
+TEST(Tool, EdgesOfAConeBeginAtItsTip) {
+  Tool tool = tapered(0.5, 45.0, 0.0);
+  tool.shaft = {4.0, 3.0, 30.0, {}};
+  const auto all = tool.sections();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].from, 0.0);
+  EXPECT_EQ(all[0].radius_from, 0.5);
+  EXPECT_NEAR(all[0].radius_to, 4.5, 1e-12);
+  EXPECT_TRUE(all[1].frustum() == (Frustum{4.0, 30.0, 3.0, 3.0}));
 }
 
 TEST(Tool, TheCuttingEndIsAsHighAsABall) {

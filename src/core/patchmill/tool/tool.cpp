@@ -26,14 +26,20 @@ const char* name(CutterShape shape) {
       return "bull nose end mill";
     case CutterShape::Flat:
       return "flat end mill";
-    default:
+    case CutterShape::TaperedBall:
       return "tapered ball end mill";
+    case CutterShape::TaperedBullNose:
+      return "tapered bull nose end mill";
+    default:
+      return "conical end mill";
   }
 }
 
 CutterShape Tool::shape() const {
-  if (corner() == radius) return is_ball() ? CutterShape::Ball : CutterShape::TaperedBall;
-  return corner() > 0.0 ? CutterShape::BullNose : CutterShape::Flat;
+  const bool tapers = taper.radians() > 0.0;
+  if (corner() == radius) return tapers ? CutterShape::TaperedBall : CutterShape::Ball;
+  if (corner() > 0.0) return tapers ? CutterShape::TaperedBullNose : CutterShape::BullNose;
+  return tapers ? CutterShape::Conical : CutterShape::Flat;
 }
 
 double Tool::height_at(double distance) const {
@@ -96,9 +102,6 @@ void require_valid(const Tool& tool) {
   require_positive("ToolDiameter", 2.0 * tool.radius, "mm");
   require_in_range("CornerRadius", tool.corner(), 0.0, tool.radius, "mm");
   require_in_range("TaperAngle", tool.taper.degrees(), 0.0, 60.0, "degrees");
-  if (tool.taper.radians() > 0.0 && tool.corner() < tool.radius)
-    throw InputError("TaperAngle", fmt::format("{:.6g} degrees", tool.taper.degrees()),
-                     "give 0 for a tool that does not end in a ball.");
   require_valid(tool.shaft);
 }
 
@@ -114,7 +117,8 @@ double scallop_height(const Tool& tool, double cross_feed) {
     throw InputError("CrossFeed", fmt::format("{:g} mm", cross_feed), "give 0 or more.");
   const double r = tool.corner(), half = std::max(0.0, 0.5 * cross_feed - (tool.radius - r));
   if (half == 0.0) return 0.0;
-  return tool.height_at(std::min(half + tool.radius - r, tool.radius));
+  const double at = half + tool.radius - r;
+  return tool.height_at(tool.taper.radians() > 0.0 ? at : std::min(at, tool.radius));
 }
 
 }  // namespace patchmill

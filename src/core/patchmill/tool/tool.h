@@ -1,7 +1,8 @@
 // Tool: the one place that knows the shape of a cutter. Its cutting end is a circle of `corner_radius` r whose centre
 // runs round the axis at the distance R - r, and above it a flank along the axis or leaning out by the taper: the
 // cutter of the APT language (ISO 4343) with R, r and one angle.
-//     ball r = R        bull nose 0 < r < R        flat r = 0        tapered ball r = R, taper > 0
+//     ball r = R        bull nose 0 < r < R        flat r = 0
+// and each of them with a taper: a flat end with one is the cone of V-bits and chamfer mills.
 // All of them are a core, a frustum, made thicker by r on all sides: that is what collision checks measure from. The
 // tool's centre is the point of the axis at the height r above the tip: of a ball the ball's centre, of a flat end the
 // tip itself.
@@ -15,17 +16,26 @@
 
 namespace patchmill {
 
-enum class CutterShape : std::uint8_t { Ball, BullNose, Flat, TaperedBall };
+enum class CutterShape : std::uint8_t {
+  Ball,
+  BullNose,
+  Flat,
+  TaperedBall,
+  TaperedBullNose,
+  Conical
+};
 
-/// "ball end mill", "bull nose end mill", "flat end mill", "tapered ball end mill".
+/// "ball end mill", "bull nose end mill", "flat end mill"; with a taper "tapered ball end mill", "tapered bull nose end
+/// mill", "conical end mill".
 const char* name(CutterShape shape);
 
 /// A cutter with all that is above it.
 struct Tool {
-  double radius = 0.0;  ///< R [mm], > 0: of the cutting end; of a tapered ball the ball's
-  int flutes = 0;       ///< N
+  double radius =
+      0.0;  ///< R [mm], > 0: of the cutting end without its taper: of the ball, or of a cone's flat tip
+  int flutes = 0;                                      ///< N
   std::optional<double> corner_radius = std::nullopt;  ///< r [mm], 0 .. R; not given: R
-  Angle taper = {};  ///< between flank and axis, in [0, 60] degrees; with r = R only
+  Angle taper = {};  ///< between flank and axis, in [0, 60] degrees
   Shaft shaft = {};  ///< what is above the cutting end
 
   /// Radius r of the corner [mm]: how far the tool's centre is above its tip.
@@ -64,7 +74,7 @@ void require_valid(const Tool& tool);
 void require_ball(const Tool& tool, const char* work);
 
 /// Height of the ridge that the tool leaves on a flat between passes `cross_feed` apart [mm]: none while its own flat
-/// bottom covers it. Errors: InputError naming CrossFeed (negative, or not finite).
+/// bottom covers it, r beyond the width of a cutter without a taper. Errors: InputError naming CrossFeed (negative, or not finite).
 double scallop_height(const Tool& tool, double cross_feed);
 
 }  // namespace patchmill
