@@ -4,7 +4,7 @@
 // of the last decimal. Comments are of capitals; a % would end the file. Tried on no control.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/gcode/controls/common_words.h"
-#include "patchmill/gcode/controls/word_reader.h"
+#include "patchmill/gcode/controls/iso_control.h"
 #include "patchmill/geometry/error.h"
 
 #include <cmath>
@@ -14,24 +14,12 @@ namespace {
 
 std::vector<CodeWord> fanuc_words() {
   using G = WordGroup;
-  const std::vector<CodeWord> words = {same('G', 330, G::Motion, "XYZF"),
-                                       same('G', 51, G::None, "QR"),
-                                       same('G', 200, G::Units),
-                                       same('G', 210, G::Units),
-                                       same('G', 280, G::Once, "XYZABC"),
-                                       same('G', 300, G::Once, "XYZABCP"),
-                                       same('G', 430, G::Length, "H"),
-                                       same('G', 434, G::Length, "H"),
-                                       same('G', 490, G::Length),
-                                       same('G', 541, G::Offset, "P"),
-                                       same('G', 610, G::PathMode),
-                                       same('G', 640, G::PathMode),
-                                       {'G', -1, 911, G::ArcDistance, "", true},
-                                       same('M', 190, G::Spindle),
-                                       {'M', 980, 980, G::None, "", false, true},
-                                       {'M', 990, 990, G::None, "", false, true},
-                                       {'M', 1980, 1980, G::None, "", false, true}};
-  return with(with(with(words, shared_words()), work_offsets()), drilling_cycles());
+  const std::vector<CodeWord> words = {
+      same('G', 330, G::Motion, "XYZF"),  same('G', 51, G::None, "QR"),
+      same('G', 300, G::Once, "XYZABCP"), same('G', 434, G::Length, "H"),
+      same('G', 541, G::Offset, "P"),     {'M', 1980, 1980, G::None, "", false, true}};
+  return with(with(with(with(words, iso_words()), shared_words()), work_offsets()),
+              drilling_cycles());
 }
 
 bool is_cycle_with_dwell(const GcodeWord& w) {
@@ -40,14 +28,7 @@ bool is_cycle_with_dwell(const GcodeWord& w) {
 }
 
 std::vector<GcodeWord> read(const Control& control, std::string_view line, long number) {
-  const std::string_view body = trimmed(line);
-  if (!body.empty() && body[0] == 'O') {  // the program's number and perhaps its name
-    const std::size_t digits = body.find_first_not_of("0123456789", 1);
-    if (digits == 1) refuse_gcode(number, std::string(line), "the program's number is missing.");
-    return digits == std::string_view::npos ? std::vector<GcodeWord>()
-                                            : gcode_words(body.substr(digits), number);
-  }
-  std::vector<GcodeWord> words = read_words(control, line, number);
+  std::vector<GcodeWord> words = read_iso_words(control, line, number);
   bool cycle = false;
   for (const GcodeWord& w : words) cycle = cycle || is_cycle_with_dwell(w);
   for (GcodeWord& w : words)
@@ -59,30 +40,15 @@ std::vector<GcodeWord> read(const Control& control, std::string_view line, long 
 }
 
 Control make() {
-  Control c;
+  Control c = iso_control();
   c.name = "fanuc";
   c.title = "Fanuc";
   c.can.lead = LeadRule::LongestAxis;
   c.can.lead_letters = "F";
-  c.can.tcp_off_ends_length = true;
-  c.can.numbers_need_point = true;
   c.can.builder_words = true;
   c.comments.capitals = true;
   c.comments.max_length = 100;
-  c.comments.plain = ".,:+-*/=<>'";
-  c.texts.begin = "%\nO{number}\n({name})";
-  c.texts.end = "%";
-  c.texts.preamble = "G21\nG17 G40 G49 G80 G90 G94";
-  c.texts.postamble = "M5\nG49\nM30";
-  c.texts.plain_postamble = "M5\nM30";
   c.texts.tcp_on = "G43.4 H{tool}";
-  c.texts.tcp_off = "G49";
-  c.texts.rounding = "G64";
-  c.texts.spindle = "S{speed} M{sense}";
-  c.texts.speed = "S{speed}";
-  c.texts.tool_change = "M5\nT{tool} M6";
-  c.texts.preselect = "T{tool}";
-  c.texts.machine_move = "G90 G53 G0 {axis}{value}";
   c.texts.dwell_units = 1000.0;
   c.texts.dwell_decimals = 0;
   c.codes = fanuc_words();
