@@ -69,7 +69,7 @@ FaceProjection::FaceProjection(const TopoDS_Face& face, const patch::TexturePlan
             return Vec2(frame_.coordinates(d1(u, v, work).point).head<2>());
           },
           box_, first_cells(surface_, true), first_cells(surface_, false)),
-      intersector_(face, Precision::Confusion()) {}
+      face_(face) {}
 
 FaceProjection::Worker FaceProjection::worker() const {
   return {polynomial_ ? Handle(Adaptor3d_Surface)() : surface_.ShallowCopy(), {}};
@@ -140,17 +140,19 @@ std::optional<Hit> FaceProjection::first_hit(const Vec2& q, Worker& worker) cons
 std::optional<Hit> FaceProjection::ask_intersector(const Vec2& q, Worker& worker) const {
   ++fallbacks_;
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (!intersector_)
+    intersector_ = std::make_unique<IntCurvesFace_Intersector>(face_, Precision::Confusion());
   const Vec3 from = plane_.at(q);
   const gp_Dir direction(plane_.direction.x(), plane_.direction.y(), plane_.direction.z());
-  intersector_.Perform(gp_Lin(pnt(from), direction), -kRay, kRay);
+  intersector_->Perform(gp_Lin(pnt(from), direction), -kRay, kRay);
   std::optional<Hit> first;
-  if (!intersector_.IsDone()) return first;
-  for (int k = 1; k <= intersector_.NbPnt(); ++k) {
-    const Seed found{intersector_.UParameter(k), intersector_.VParameter(k)};
+  if (!intersector_->IsDone()) return first;
+  for (int k = 1; k <= intersector_->NbPnt(); ++k) {
+    const Seed found{intersector_->UParameter(k), intersector_->VParameter(k)};
     Seed root;
     Hit hit;
     if (newton(q, found, worker, root, hit) != Outcome::Converged) {
-      hit.depth = intersector_.WParameter(k);
+      hit.depth = intersector_->WParameter(k);
       hit.point = {from + hit.depth * plane_.direction, normal_near(found, worker)};
     }
     if (!first || hit.depth < first->depth) first = hit;

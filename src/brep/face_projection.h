@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "brep/face_bins.h"
 #include "brep/polynomial_of_face.h"
 #include "brep/seed_grid.h"
 #include "brep/trim_grid.h"
@@ -50,6 +51,8 @@ class FaceProjection {
 
   Vec2 low() const { return seeds_.low(); }
   Vec2 high() const { return seeds_.high(); }
+  /// Beyond this box there is no hit.
+  PlanBox box() const { return {seeds_.low() - seeds_.reach(), seeds_.high() + seeds_.reach()}; }
   long fallbacks() const { return fallbacks_; }
 
  private:
@@ -68,8 +71,10 @@ class FaceProjection {
   TrimGrid trim_;
   ParameterBox box_;
   SeedGrid seeds_;
+  TopoDS_Face face_;
   mutable std::mutex mutex_;
-  mutable IntCurvesFace_Intersector intersector_;  // guarded by mutex_
+  mutable std::unique_ptr<IntCurvesFace_Intersector>
+      intersector_;  // made when asked; guarded by mutex_
   mutable std::atomic<long> fallbacks_{0};
 };
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/face_sampler.h"
 
-#include "brep/face_projection.h"
 #include "patchmill/geometry/error.h"
 #include "patchmill/geometry/stop.h"
 
@@ -17,6 +16,16 @@
 #include <tbb/blocked_range.h>
 
 namespace patchmill {
+namespace {
+
+constexpr double kAnywhere = 1e9;  // mm, of a face that nobody knows where it is
+
+[[noreturn]] void refuse(std::size_t face, const Standard_Failure& reason) {
+  throw InputError("Base", fmt::format("face {}", face + 1),
+                   std::string(reason.GetMessageString()) + ": repair the shape.");
+}
+
+}  // namespace
 
 FaceSampler::FaceSampler(const std::vector<TopoDS_Face>& faces, const patch::TexturePlane& plane,
                          Angle steepest)
@@ -24,15 +33,22 @@ FaceSampler::FaceSampler(const std::vector<TopoDS_Face>& faces, const patch::Tex
   require_in_range("SteepestSlope", steepest.degrees(), 0.01, 89.9, "degrees");
   if (faces.empty()) throw InputError("Base", "no face", "select at least one face.");
   for (const TopoDS_Face& face : faces) {
-    const std::string which = fmt::format("face {}", faces_.size() + 1);
     if (BRep_Tool::Surface(face).IsNull())
-      throw InputError("Base", which, "it has no surface: repair the shape.");
+      throw InputError("Base", fmt::format("face {}", faces_.size() + 1),
+                       "it has no surface: repair the shape.");
     try {
       faces_.push_back(std::make_unique<FaceProjection>(face, plane));
     } catch (const Standard_Failure& e) {
-      throw InputError("Base", which, std::string(e.GetMessageString()) + ": repair the shape.");
+      refuse(faces_.size(), e);
     }
   }
+  std::vector<PlanBox> boxes;
+  for (const auto& face : faces_) {
+    const PlanBox box = face->box();
+    const bool known = box.low.allFinite() && box.high.allFinite();
+    boxes.push_back(known ? box : PlanBox{Vec2::Constant(-kAnywhere), Vec2::Constant(kAnywhere)});
+  }
+  bins_ = FaceBins(boxes);
 }
 
 FaceSampler::~FaceSampler() = default;
@@ -48,14 +64,10 @@ std::vector<patch::SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& p
   const tbb::blocked_range<std::size_t> all(0, points.size(), 2048);
   patchmill::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& part) {
     if (stop) return;
-    std::vector<FaceProjection::Worker> workers;
-    for (const auto& face : faces_) workers.push_back(face->worker());
+    std::unordered_map<std::int32_t, FaceProjection::Worker> workers;  // of the faces that are met
     for (std::size_t i = part.begin(); i < part.end(); ++i) {
-      std::optional<Hit> first;
-      for (std::size_t f = 0; f < faces_.size(); ++f) {
-        const std::optional<Hit> hit = faces_[f]->first_hit(points[i], workers[f]);
-        if (hit && (!first || hit->depth < first->depth)) first = hit;
-      }
+      stop_point();
+      const std::optional<Hit> first = first_hit(points[i], workers);
       if (first) samples[i] = {first->point, state_of(first->point.normal)};
     }
     done += part.size();
@@ -65,6 +77,23 @@ std::vector<patch::SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& p
   });
   if (stop) samples.clear();
   return samples;
+}
+
+std::optional<Hit> FaceSampler::first_hit(
+    const Vec2& place, std::unordered_map<std::int32_t, FaceProjection::Worker>& workers) const {
+  std::optional<Hit> first;
+  for (const std::int32_t f : bins_.over(place)) {
+    const FaceProjection& face = *faces_[std::size_t(f)];
+    auto known = workers.find(f);
+    if (known == workers.end()) known = workers.emplace(f, face.worker()).first;
+    try {
+      const std::optional<Hit> hit = face.first_hit(place, known->second);
+      if (hit && (!first || hit->depth < first->depth)) first = hit;
+    } catch (const Standard_Failure& e) {
+      refuse(std::size_t(f), e);
+    }
+  }
+  return first;
 }
 
 patch::DimpleState FaceSampler::state_of(const Vec3& normal) const {

@@ -7,19 +7,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "brep/face_bins.h"
+#include "brep/face_projection.h"
 #include "patchmill/geometry/angle.h"
 #include "patchmill/geometry/progress.h"
 #include "patchmill/patch/sampler.h"
 #include "patchmill/patch/texture_plane.h"
 
 #include <memory>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
 
 namespace patchmill {
-
-class FaceProjection;
 
 class FaceSampler {
  public:
@@ -32,7 +34,7 @@ class FaceSampler {
   FaceSampler(FaceSampler&&) noexcept;
   FaceSampler& operator=(FaceSampler&&) noexcept;
 
-  /// Projects points of the texture plane [mm]. Sample i belongs to point i, whatever the number of
+  /// Projects points of the texture plane [mm]. A face is tried where it may be only. Sample i belongs to point i, whatever the number of
   /// threads. Positions are exact to 1e-9 mm along the plane. States: Cut, OffFace, TooSteep, Undercut.
   /// Returns an empty vector if `progress` asked for a stop.
   std::vector<patch::SurfaceSample> sample(const std::vector<Vec2>& points,
@@ -46,10 +48,13 @@ class FaceSampler {
 
  private:
   patch::DimpleState state_of(const Vec3& normal) const;
+  std::optional<Hit> first_hit(
+      const Vec2& place, std::unordered_map<std::int32_t, FaceProjection::Worker>& workers) const;
 
   patch::TexturePlane plane_;
   double least_cosine_;
   std::vector<std::unique_ptr<FaceProjection>> faces_;
+  FaceBins bins_;
 };
 
 }  // namespace patchmill

@@ -35,6 +35,8 @@ class SeedGrid {
 
   Vec2 low() const { return low_; }    ///< least plan coordinates of the cells [mm]
   Vec2 high() const { return high_; }  ///< greatest
+  /// How far beyond low() and high() a place may be and still have seeds [mm].
+  Vec2 reach() const { return 1.001 * bin_size_; }
 
  private:
   void sample(const std::function<Vec2(double, double)>& plan);

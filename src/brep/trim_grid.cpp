@@ -14,17 +14,21 @@
 
 namespace patchmill {
 
-TrimGrid::TrimGrid(const TopoDS_Face& face) : cells_(std::size_t(kCells) * kCells, Cell::Unknown) {
+TrimGrid::TrimGrid(const TopoDS_Face& face) : face_(face) {
   double u1, v1;
   BRepTools::UVBounds(face, u0_, u1, v0_, v1);
   du_ = (u1 - u0_) / kCells;
   dv_ = (v1 - v0_) / kCells;
+}
+
+void TrimGrid::make() const {
+  cells_.assign(std::size_t(kCells) * kCells, Cell::Unknown);
   // the classifier's tolerance is one of parameters: 1e-7 mm on the surface, whatever its scale
-  const BRepAdaptor_Surface surface(face, false);
+  const BRepAdaptor_Surface surface(face_, false);
   const double tolerance = std::min(surface.UResolution(Precision::Confusion()),
                                     surface.VResolution(Precision::Confusion()));
-  classifier_ = std::make_unique<BRepTopAdaptor_FClass2d>(face, tolerance);
-  mark_border(face);
+  classifier_ = std::make_unique<BRepTopAdaptor_FClass2d>(face_, tolerance);
+  mark_border();
   fill();
 }
 
@@ -39,7 +43,7 @@ int TrimGrid::row(double v) const {
 }
 
 // The cell and its eight neighbours, so that what happens between two samples is covered.
-void TrimGrid::mark_border_point(double u, double v) {
+void TrimGrid::mark_border_point(double u, double v) const {
   const int i = static_cast<int>(std::floor((u - u0_) / du_));
   const int j = static_cast<int>(std::floor((v - v0_) / dv_));
   for (int b = std::max(0, j - 1); b <= std::min(kCells - 1, j + 1); ++b)
@@ -47,9 +51,9 @@ void TrimGrid::mark_border_point(double u, double v) {
       cells_[std::size_t(b) * kCells + std::size_t(a)] = Cell::Border;
 }
 
-void TrimGrid::mark_border(const TopoDS_Face& face) {
-  for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
-    const BRepAdaptor_Curve2d curve(TopoDS::Edge(e.Current()), face);
+void TrimGrid::mark_border() const {
+  for (TopExp_Explorer e(face_, TopAbs_EDGE); e.More(); e.Next()) {
+    const BRepAdaptor_Curve2d curve(TopoDS::Edge(e.Current()), face_);
     const double t0 = curve.FirstParameter(), t1 = curve.LastParameter();
     // walk in steps of at most half a cell: halve the step until it is, double it when it may grow
     double t = t0, step = (t1 - t0) / 64.0;
@@ -73,7 +77,7 @@ void TrimGrid::mark_border(const TopoDS_Face& face) {
 }
 
 // One question to the classifier per connected region that the border leaves.
-void TrimGrid::fill() {
+void TrimGrid::fill() const {
   std::vector<int> stack;
   for (int seed = 0; seed < kCells * kCells; ++seed) {
     if (cells_[std::size_t(seed)] != Cell::Unknown) continue;
@@ -102,6 +106,7 @@ bool TrimGrid::ask(double u, double v) const {
 }
 
 bool TrimGrid::inside(double u, double v) const {
+  std::call_once(made_, [this] { make(); });
   const int i = column(u), j = row(v);
   if (i < 0 || j < 0) return ask(u, v);  // on the rectangle's edge, or a period away
   const Cell cell = cells_[std::size_t(j) * kCells + std::size_t(i)];

@@ -19,7 +19,8 @@ class TrimGrid {
   /// `face` must have p-curves on its edges, as every valid face has.
   explicit TrimGrid(const TopoDS_Face& face);
 
-  /// True if (u, v) is inside the trimming or within 1e-7 mm of its border. Thread-safe.
+  /// True if (u, v) is inside the trimming or within 1e-7 mm of its border. Thread-safe. The first question makes the
+  /// grid: faces that are only measured need none.
   bool inside(double u, double v) const;
 
   double u_min() const { return u0_; }
@@ -33,14 +34,17 @@ class TrimGrid {
 
   int column(double u) const;  // -1 if outside the rectangle
   int row(double v) const;
-  void mark_border(const TopoDS_Face& face);
-  void mark_border_point(double u, double v);
-  void fill();
+  void make() const;
+  void mark_border() const;
+  void mark_border_point(double u, double v) const;
+  void fill() const;
   bool ask(double u, double v) const;
 
+  TopoDS_Face face_;
   double u0_ = 0, v0_ = 0, du_ = 1, dv_ = 1;
-  std::vector<Cell> cells_;
-  std::unique_ptr<BRepTopAdaptor_FClass2d> classifier_;
+  mutable std::once_flag made_;
+  mutable std::vector<Cell> cells_;
+  mutable std::unique_ptr<BRepTopAdaptor_FClass2d> classifier_;
   mutable std::mutex mutex_;  // the classifier keeps state between questions
 };
 
