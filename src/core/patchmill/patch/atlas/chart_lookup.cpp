@@ -12,6 +12,8 @@ namespace patchmill::patch {
 namespace {
 
 constexpr double kOutside = -1e-9;  // barycentric weights of places that count as in a triangle
+constexpr double kTie =
+    1e-9;  // weights that differ by less are equal: the first of two triangles at an edge
 constexpr int kSteps = 12;
 
 Eigen::Vector3d barycentric(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
@@ -77,7 +79,7 @@ int ChartLookup::triangle_at_uv(const Vec2& uv) const {
   for (int t : uv_buckets_[std::size_t(at)]) {
     const auto& c = mesh_.triangles[std::size_t(t)];
     const double least = barycentric(c[0].uv, c[1].uv, c[2].uv, uv).minCoeff();
-    if (least > inside) {
+    if (least > inside + kTie) {
       inside = least;
       best = t;
     }
