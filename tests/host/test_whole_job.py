@@ -88,6 +88,16 @@ class WholeJob(WithDocuments):
         self.assertEqual({c for c, o in refused if o == "G58"}, {"heidenhain"})
         self.assertEqual({c for c, o in refused if o == "G54"}, {"heidenhain"})  # G57 before it
 
+    def test_what_is_no_work_offset(self):
+        job, _ = roof_job("Constant feed")
+        for post in ["patchmill_" + control for control in CONTROLS] + ["linuxcnc"]:
+            for names in ([], ["G53"], ["G59.9"], ["G505"], ["here"], [""], ["G54", "G53"], ["G54.1 P0"]):
+                job.Fixtures = names
+                with self.assertRaises(InputError) as caught:
+                    patchmill.post(job, self.program, post)
+                self.assertEqual(caught.exception.property, "Fixtures", (post, names))
+                self.assertIn("choose", str(caught.exception))
+
     def test_an_upright_operation_finds_the_table_at_zero(self):
         machines = {
             "linuxcnc": "table-table-ac",

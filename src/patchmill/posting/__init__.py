@@ -80,8 +80,7 @@ def _ready(job, post_name, arguments):
     post_name = post_name or job.PostProcessor
     arguments = job.PostProcessorArgs if arguments is None else arguments
     words = requirements.split_arguments(arguments)
-    if not job.Fixtures:
-        raise InputError("Fixtures", "none", "choose a work offset in the job's setup, such as G54.")
+    requirements.check_offsets(job.Fixtures)
     operations = _active_operations(job)
     textures = [op for op in operations if kind_of(op) == TEXTURE]
     plans = [planned(op) for op in textures]

@@ -25,6 +25,17 @@ def split_arguments(arguments):
         raise InputError("PostProcessorArgs", repr(arguments), "%s." % error) from error
 
 
+def check_offsets(offsets):
+    """Raises InputError naming Fixtures unless a job has work offsets, each of them one that a control has:
+    FreeCAD offers G53 as well, which is the machine's own zero, and G59.4 to G59.9."""
+    if not offsets:
+        raise InputError("Fixtures", "none", "choose a work offset in the job's setup, such as G54.")
+    for name in offsets:
+        if not re.fullmatch(r"G5[4-9]|G59\.[123]|G54\.1 P[1-9]\d*", name.strip().upper(), re.ASCII):
+            remedy = "it is no work offset of a control: choose G54 to G59.3 in the job's setup."
+            raise InputError("Fixtures", name or "''", remedy)
+
+
 def check_verdict(op, plan):
     """A plan that the machine cannot hold is not posted, unless the user says so. Where no machine is
     named nothing is known; the report says that."""
