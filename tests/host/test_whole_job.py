@@ -175,6 +175,25 @@ class WholeJob(WithDocuments):
             posted_job.read_back(spoilt, objects, "linuxcnc", 0.0005)
         self.assertEqual(caught.exception.property, copy.Label)
 
+    def test_a_link_is_read_back_and_what_is_left_out_is_named(self):
+        job, (texture,) = roof_job("Spindle-locked")
+        link = job.Document.addObject("App::Link", "Link")
+        link.LinkedObject = texture
+        job.Proxy.addOperation(link)
+        posted, _ = self.posted(job, "linuxcnc")
+        self.assertEqual([one.operation for one in posted], [texture, link])
+        self.assertGreater(posted[1].moves, 50)
+        for kind in ("Path::Feature", "Path::FeatureCompound"):
+            other = job.Document.addObject(kind, "Other")
+            other.Path = texture.Path
+            if kind == "Path::FeatureCompound":
+                other.Group = [texture]
+            job.Proxy.addOperation(other)
+            with self.assertRaises(InputError) as caught:
+                self.posted(job, "linuxcnc")
+            self.assertEqual(caught.exception.property, other.Label)
+            job.Document.removeObject(other.Name)
+
     def test_a_program_of_another_editor_is_simulated(self):
         job, (texture,) = roof_job("Constant feed")
         self.posted(job, "linuxcnc")

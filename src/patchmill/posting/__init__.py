@@ -126,6 +126,7 @@ def _read_back(ready, text, progress, objects=None):
         half_unit *= 25.4
     if objects is None:
         (objects,) = host.post_objects(ready.job, ready.post_name)
+        _require_all(ready.operations, objects)
     dialect = own.dialect if own else "linuxcnc"
     known = kept_words.of_machine(program_header.machine_of(objects), arguments)
     posted = posted_job.read_back(text, objects, dialect, half_unit, known, own is not None)
@@ -142,6 +143,14 @@ def _read_back(ready, text, progress, objects=None):
         if asked.stopped:
             return None
     return posted
+
+
+def _require_all(operations, objects):
+    """Raises InputError naming an operation that FreeCAD does not hand to the post-processor."""
+    for op in operations:
+        if op not in objects and any(c.Name[:1] in "GM" for c in op.Path.Commands):
+            remedy = "FreeCAD posts what has ToolController and Active: take it out of the job."
+            raise InputError(op.Label, "not in the program", remedy)
 
 
 def _to_check(posted):

@@ -251,7 +251,7 @@ def _require_in_order(op, found, wanted, near):
 
 def controller_of(op):
     """The tool controller of an operation, or of the one under dressups; None if there is none."""
-    parts = posted_milling.with_those_under(op)
+    parts = (op, *posted_milling.with_those_under(op))
     return next((part.ToolController for part in parts if hasattr(part, "ToolController")), None)
 
 
@@ -267,5 +267,6 @@ def _holds(words, wanted, near):
 
 
 def is_operation(obj):
-    """Whether one of the objects that a post-processor gets is an operation or dressup that is milled."""
-    return hasattr(obj, "Proxy") and hasattr(obj, "Path") and not hasattr(obj, "ToolNumber")
+    """Whether one of the objects that a post-processor gets is an operation or dressup that is milled, or a
+    link to one, which has no Proxy; work offsets are no document objects."""
+    return hasattr(obj, "TypeId") and hasattr(obj, "Path") and not hasattr(obj, "ToolNumber")
