@@ -188,6 +188,25 @@ class PostedJob(WithDocuments):
             self.refused("SpindleSpeed", self.read, job, text.replace(said, faster).split("\n"))
         self.refused("SpindleSpeed", self.read, job, text.replace("M3", "M4").split("\n"))
 
+    def test_words_before_the_first_move_of_an_operation(self):
+        cut = ["G0 Z30", "G0 X40 Y0", "G1 Z20 F10", "G1 X46", "G0 Z30"]
+        for words in (["M8"], ["M7", "M8"], ["M48"], ["G43 H5"], ["M62 P3"]):
+            for first in (True, False) if words != ["G43 H5"] else (False,):
+                job, (texture,) = self.job("Spindle-locked")
+                other = custom(job, words + cut)
+                if first:
+                    job.Operations.Group = [other, texture]
+                text, _ = self.post(job)
+                for word in words:
+                    self.refused(other.Label, self.read, job, text.replace("\n%s\n" % word, "\n").split("\n"))
+
+    def test_the_tools_length_is_in_force(self):
+        cut = ["G0 Z30", "G0 X40 Y0", "G1 Z20 F10", "G1 X46", "G0 Z30"]
+        for left in ("G49", "G43 H5"):
+            job, (texture,) = self.job("Constant feed")
+            job.Operations.Group = [custom(job, cut + [left]), texture]
+            self.refused(texture.Label, self.post, job, "linuxcnc")
+
     def test_coolant_that_is_lost(self):
         job, (texture,) = self.job("Constant feed")
         texture.CoolantMode = "Flood"

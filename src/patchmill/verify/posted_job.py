@@ -24,6 +24,8 @@ CUTS = ("G1", "G01", "G2", "G02", "G3", "G03", "G33")
 HALF_ROUNDING = 0.51e-6  # mm: P of G64 has six decimals
 BESIDE = "STHDE"  # letters that no move has
 COOLANT = {"Flood": "M8", "Mist": "M7"}
+LENGTH_WITH_TOOL = ("heidenhain", "siemens")  # they have no word for it
+LENGTHS = {("G", 43.0), ("G", 43.4), ("G", 49.0), ("M", 6.0)}
 
 
 class _Reading:
@@ -40,7 +42,6 @@ class _Reading:
         self.at = 0  # the move after the last operation
         self.offset = ""
         self.words = core.program_lines(text, dialect)
-        self.line = 0  # of the first move of the last operation
         self.due = []  # (operation, first line, its words) that are looked for up to the next operation
 
     def texture(self, op):
@@ -49,7 +50,7 @@ class _Reading:
         return self._found(op, posted, run)
 
     def other(self, op):
-        commands = op.Path.Commands
+        commands, behind = op.Path.Commands, self.end_line + 1  # its words may come before its first move
         told = posted_milling.told_by(commands)
         posted, run = posted_milling.find(op, told, self.program, self.half_unit, self.at)
         if len(told):
@@ -57,7 +58,7 @@ class _Reading:
         else:
             self.between.append(op)
         if not kind_of(op):
-            self.due += [(op, self.line, command) for command in commands if _has_other_words(command)]
+            self.due += [(op, behind, command) for command in commands if _has_other_words(command)]
         return posted
 
     def words_until(self, line):
@@ -72,7 +73,6 @@ class _Reading:
                 remedy = "the program does not have it: use a post-processor that keeps it, or leave it out."
                 raise InputError(op.Label, said, remedy)
         self.due = []
-        self.line = line
 
     def words_between(self, op, line):
         """The words from the last operation to `op`, which begins in a line, or to the end, are theirs."""
@@ -99,6 +99,7 @@ class _Reading:
         self.end_line = self.program.line_of(run.end - 1)
         self._require_offset(op, run)
         self._require_tool(op, run)
+        self._require_length(op, run)
         self._require_coolant(op, run)
         self._require_modes(op, run)
         self.at = run.end
@@ -140,6 +141,24 @@ class _Reading:
                 said = "%g rpm" % controller.SpindleSpeed
                 remedy = "the posted text turns the spindle at %g rpm where %s is milled."
                 raise InputError("SpindleSpeed", said, remedy % (60.0 * spindle.speed, op.Label))
+
+    def _require_length(self, op, run):
+        """What another operation has said of the tool's length is not in force where this one begins."""
+        controller = controller_of(op)
+        said_itself = any(c.Name in ("G43", "G49") for c in op.Path.Commands)
+        if controller is None or said_itself or self.dialect in LENGTH_WITH_TOOL:
+            return
+        line = self.program.line_of(run.first + int(np.argmax(self.program.cuts[run.first : run.end])))
+        said = [words for number, words in self.words if number < line and LENGTHS & set(words)]
+        since = max((k for k, words in enumerate(said) if ("M", 6.0) in words), default=-1)
+        said = said[since + 1 :]  # of this tool
+        if not any({("G", 43.0), ("G", 43.4)} & set(words) for words in said):
+            return
+        numbers = {value for letter, value in said[-1] if letter == "H"}
+        if ("G", 49.0) in said[-1] or numbers - {controller.ToolNumber}:
+            words = " ".join("%s%g" % word for word in said[-1] if word[0] in "GH")
+            remedy = "another operation leaves this, not its tool's length: end that one by G43 H%d."
+            raise InputError(op.Label, words, remedy % controller.ToolNumber)
 
     def _require_modes(self, op, run):
         """No other G or M words stand between an operation's moves than in its path; on LinuxCNC the words
