@@ -191,7 +191,7 @@ class PostedJob(WithDocuments):
     def test_words_before_the_first_move_of_an_operation(self):
         cut = ["G0 Z30", "G0 X40 Y0", "G1 Z20 F10", "G1 X46", "G0 Z30"]
         for words in (["M8"], ["M7", "M8"], ["M48"], ["G43 H5"], ["M62 P3"]):
-            for first in (True, False) if words != ["G43 H5"] else (False,):
+            for first in (True, False):
                 job, (texture,) = self.job("Spindle-locked")
                 other = custom(job, words + cut)
                 if first:
@@ -203,9 +203,21 @@ class PostedJob(WithDocuments):
     def test_the_tools_length_is_in_force(self):
         cut = ["G0 Z30", "G0 X40 Y0", "G1 Z20 F10", "G1 X46", "G0 Z30"]
         for left in ("G49", "G43 H5"):
+            job, (texture,) = self.job("Spindle-locked")
+            job.Operations.Group = [custom(job, cut + [left]), texture]
+            lines = self.post(job)[0].split("\n")
+            again = next(k for k in range(lines.index(left), len(lines)) if lines[k] == "G43 H1")
+            self.refused(texture.Label, self.read, job, lines[:again] + lines[again + 1 :])
             job, (texture,) = self.job("Constant feed")
             job.Operations.Group = [custom(job, cut + [left]), texture]
             self.refused(texture.Label, self.post, job, "linuxcnc")
+
+    def test_a_full_circle_by_its_centre_alone(self):
+        for name in ("patchmill_linuxcnc", "patchmill_fanuc", "patchmill_siemens", "patchmill_heidenhain"):
+            job, (texture,) = self.job("Constant feed")
+            circle = ["G0 Z30", "G0 X40 Y0", "G1 Z20 F10", "G2 I2 J0 F10", "G1 X46", "G0 Z30"]
+            other = custom(job, circle)
+            self.assertEqual([one.operation for one in self.post(job, name)[1]], [texture, other])
 
     def test_coolant_that_is_lost(self):
         job, (texture,) = self.job("Constant feed")

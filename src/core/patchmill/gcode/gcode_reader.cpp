@@ -22,7 +22,7 @@ class Reader {
     if (block.dwell) return dwell(block);
     if (block.machine || block.reference) return to_the_machine(block);
     if (state_.absolute_centre && !block.moves()) return pole(block);
-    if (block.moves()) move(block);
+    if (block.moves() || full_circle(block)) move(block);
   }
   Program take() {
     close_section();
@@ -30,6 +30,11 @@ class Reader {
   }
 
  private:
+  /// An arc that names its centre alone ends where it begins.
+  bool full_circle(const GcodeBlock& block) const {
+    return (state_.motion == MotionMode::Clockwise || state_.motion == MotionMode::Counter) &&
+           std::any_of(block.lead, block.lead + 3, [](double w) { return !std::isnan(w); });
+  }
   void move(const GcodeBlock& block);
   void straight(const GcodeBlock& block, const Vec3& end, const std::array<double, 3>& angles,
                 bool was_known);

@@ -118,6 +118,9 @@ void Writer::begin_operation(const std::string& text, bool own) {
   in_cycle_ = mode_said_ = false;
   if (relative_) distance(false);
   if (inverse_) feed_mode(false);
+  if (plane_ != ArcPlane::XY) preparatory({}, 170);
+  if (other_length_) pending_length_ = style_.tool_length;
+  other_length_ = false;
   tcp(false);
   if (moves_upright(text)) upright({});
 }

@@ -73,6 +73,7 @@ class Writer {
   bool tcp_ = false, tcp_used_ = false, pending_tcp_ = false, inverse_ = false;
   bool called_ = true, fresh_ = false, across_ = false, pending_tool_ = false,
        pending_length_ = false;
+  bool other_length_ = false;  ///< none, or that of another tool, is in force by a path's own word
   bool relative_ = false, to_initial_ = true, in_cycle_ = false, machine_next_ = false;
   double initial_ = 0.0;          ///< height before a run of cycles [mm]
   const std::string first_mode_;  ///< the preamble's path mode

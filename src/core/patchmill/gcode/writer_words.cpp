@@ -150,7 +150,7 @@ void Writer::tool_change(const PathBlock& block) {
   tool_ = block.gives('T') ? static_cast<int>(block.get('T')) : selected_;
   called_ = true;
   fresh_ = control_.can.across_then_down;
-  across_ = false;
+  across_ = other_length_ = false;
   pending_length_ = control_.can.length_word && style_.tool_length;
   pending_tool_ = control_.texts.tool_change.find("{speed}") != std::string::npos;
   if (pending_tool_) return;
@@ -236,6 +236,8 @@ void Writer::state_word(const PathBlock& block, int tenths) {
   if (tenths == 910) return distance(true);
   if (tenths == 900 && relative_) return distance(false);
   if (tenths == 490 || tenths == 430) pending_length_ = false;
+  if (tenths == 490 || tenths == 430)
+    other_length_ = tenths == 490 || (block.gives('H') && block.get('H') != tool_);
   std::string text = code_text('G', word->own);
   for (char letter = 'A'; letter <= 'Z'; ++letter)
     if (block.gives(letter) && word->takes.find(letter) != std::string_view::npos)
