@@ -200,6 +200,20 @@ class PostedJob(WithDocuments):
                 for word in words:
                     self.refused(other.Label, self.read, job, text.replace("\n%s\n" % word, "\n").split("\n"))
 
+    def test_a_spindle_that_is_stopped_and_started_again(self):
+        stop = ["M5", "M0", "M3"]
+        for stops in ((stop, []), ([], stop)):
+            cut = ["G0 Z30", "G0 X40 Y0", *stops[0], "G1 Z20 F10", *stops[1], "G1 X46 F10", "G0 Z30"]
+            for name in ("patchmill_linuxcnc", "patchmill_fanuc", "patchmill_siemens"):
+                job, (texture,) = self.job("Spindle-locked")
+                other = custom(job, cut)
+                text, posted = self.post(job, name)
+                self.assertEqual([one.operation for one in posted], [texture, other])
+            text, _ = self.post(job)
+            at = text.rindex("S1000")
+            with self.assertRaises(InputError):
+                self.read(job, (text[:at] + "S900" + text[at + 5 :]).split("\n"))
+
     def test_the_tools_length_is_in_force(self):
         cut = ["G0 Z30", "G0 X40 Y0", "G1 Z20 F10", "G1 X46", "G0 Z30"]
         for left in ("G49", "G43 H5"):

@@ -28,9 +28,9 @@ def words_of(commands):
 
 class Allowed:
     """The words that may stand in one stretch between operations. `objects`: the operation before, what
-    FreeCAD hands to the post after it, and the operation behind; `tools`, `coolants`: the tool numbers and
-    coolants of those of them that are operations; `known`: words [(letter, value)] of the machine's file and
-    of the post's arguments; `own`: the post is one of ours, which has no words beside."""
+    FreeCAD hands to the post after it, and the operation behind; `tools`, `coolants`: (tool number, spindle
+    speed) and coolants of those that are operations; `known`: words [(letter, value)] of the machine's file
+    and of the post's arguments; `own`: the post is one of ours, which has no words beside."""
 
     def __init__(self, objects, tools, coolants, known, own, first, last):
         self.values, self.own = {}, own
@@ -49,9 +49,10 @@ class Allowed:
             self._add(letter, 0.0)
         if not own:
             self._add("T", 0.0)
-        for tool in tools:
+        for tool, speed in tools:
             self._add("H", tool)
             self._add("D", tool)
+            self._add("S", round(speed, 3))  # beside an M3 of the path, which has none
         for coolant in coolants:
             if coolant in COOLANT:
                 self._add("M", COOLANT[coolant])

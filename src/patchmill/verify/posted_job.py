@@ -81,7 +81,7 @@ class _Reading:
         every = [o for o in objects if is_operation(o)]
         allowed = posted_between.Allowed(
             objects,
-            [c.ToolNumber for c in map(controller_of, every) if c is not None],
+            [(c.ToolNumber, c.SpindleSpeed) for c in map(controller_of, every) if c is not None],
             [host.coolant_of(o) for o in after],
             self.known,
             self.own,
@@ -170,6 +170,8 @@ class _Reading:
         own |= {("G", float(number)) for number in ALWAYS}
         rounding = self._mode_before(commands, lines.start)
         beside = {(k, round(v, 3)) for c in commands for k, v in c.Parameters.items() if k in BESIDE}
+        controller = controller_of(op)
+        beside |= {("S", round(controller.SpindleSpeed, 3))} if controller else set()
         stops = 0
         for number, words in self.words:
             if number not in lines:
