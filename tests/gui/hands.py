@@ -10,6 +10,7 @@ import driver
 from PySide import QtCore, QtGui
 
 SETTLE = 0.05  # seconds that a hand takes between two actions
+_kept: list = []  # PySide takes a widget for deleted when the last name of its parent goes
 
 
 def act(*arguments):
@@ -110,6 +111,7 @@ def show(widget):
     driver.rest(SETTLE)
     area = widget.parentWidget()
     while area is not None:
+        _kept.append(area)
         if isinstance(area, QtGui.QScrollArea):
             area.ensureWidgetVisible(widget)
             driver.rest(0.05)

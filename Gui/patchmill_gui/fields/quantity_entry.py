@@ -12,6 +12,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from patchmill_gui.fields import unit_text
+from patchmill_gui.fields.events import kind_of
 
 REST_MS = 350  # without a key: what was typed so far is meant
 _ENDS = (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter, QtCore.Qt.Key_Tab, QtCore.Qt.Key_Backtab)
@@ -106,7 +107,7 @@ class QuantityEntry(QtCore.QObject):
         return abs(value - self.value) <= ours or abs(value - own) <= 1e-9 * factor
 
     def eventFilter(self, _, event):
-        kind = event.type()
+        kind = kind_of(event)
         if kind == QtCore.QEvent.FocusOut:
             self.commit()
         elif kind == QtCore.QEvent.KeyPress:

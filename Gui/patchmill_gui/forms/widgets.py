@@ -14,6 +14,8 @@ import FreeCAD
 from FreeCAD import Qt
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.events import kind_of
+
 # under white text, so that sentences are read as well in a dark theme as in a light one (contrast above 5)
 GOOD_COLOUR, DOUBT_COLOUR, ERROR_COLOUR = "#2e7d32", "#8a5a00", "#b71c1c"
 
@@ -66,10 +68,10 @@ class _EditorGuard(QtCore.QObject):
     number, not the panel: FreeCAD would press OK."""
 
     def eventFilter(self, editor, event):
-        if event.type() == QtCore.QEvent.Wheel:
+        if kind_of(event) == QtCore.QEvent.Wheel:
             event.ignore()  # then it goes to the widget around the editor
             return True
-        if event.type() == QtCore.QEvent.KeyPress and isinstance(editor, QtGui.QAbstractSpinBox):
+        if kind_of(event) == QtCore.QEvent.KeyPress and isinstance(editor, QtGui.QAbstractSpinBox):
             if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):
                 editor.interpretText()
                 editor.selectAll()

@@ -51,9 +51,7 @@ class OperationView(NativeView):
         if mode != 0:
             return False
         vobj = vobj if vobj is not None and hasattr(vobj, "Object") else self.vobj
-        for panel in list(_with_buttons):
-            panel.let_buttons_go()
-        forget_closed_panels()
+        forget_panels()
         page = self.getTaskPanelOpPage(vobj.Object)
         page.setTitle(self.OpName)
         page.setIcon(self.OpIcon)
@@ -66,6 +64,19 @@ class OperationView(NativeView):
         panel, self.panel = self.panel, None
         if panel is not None:
             panel.leave()
+        QtCore.QTimer.singleShot(0, _forget_if_closed)
+
+
+def forget_panels():
+    """Lets go of what Python keeps of closed panels; none is open."""
+    for panel in list(_with_buttons):
+        panel.let_buttons_go()
+    forget_closed_panels()
+
+
+def _forget_if_closed():
+    if not FreeCADGui.Control.activeDialog():
+        forget_panels()
 
 
 class OperationPanel(NativePanel):

@@ -8,6 +8,7 @@ import FreeCAD
 from patchmill.advice.found import GOOD_FRACTION
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.events import kind_of
 from patchmill_gui.forms.texture_summary import duration, grouped
 from patchmill_gui.forms.widgets import translate, wrapping_label
 
@@ -140,13 +141,13 @@ class Head(QtGui.QFrame):
             self._area.widget().setMinimumHeight(0)
             m = self._margins
             self._area.setViewportMargins(m.left(), m.top(), m.right(), m.bottom())
-            self._area = self._kept = None
+            self._area = None
         self.hide()
         self.setParent(None)  # PySide keeps what has a parent
         self.deleteLater()
 
     def eventFilter(self, _, event):
-        if event.type() in (QtCore.QEvent.Resize, QtCore.QEvent.LayoutRequest):
+        if kind_of(event) in (QtCore.QEvent.Resize, QtCore.QEvent.LayoutRequest):
             self._place()
         return False
 
