@@ -134,6 +134,12 @@ class ControlWords(WithDocuments):
         operation.Decimals = 6
         self.refused("Decimals", job, "patchmill_siemens", PLAIN.replace("3", "6"))
 
+    def test_arguments_with_a_quote_that_is_left_open(self):
+        _, job, _ = small_job()
+        for name in ["patchmill_" + control for control in CONTROLS] + ["linuxcnc"]:
+            for end in (' "', " 'x", " \\"):
+                self.refused("PostProcessorArgs", job, name, PLAIN + end)
+
     def _names_its_control(self):
         from patchmill.machine import machines
 
