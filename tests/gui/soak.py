@@ -93,9 +93,12 @@ class Soak:
 
     def press_button(self):
         button = self.any_of(QtGui.QPushButton, QtGui.QCheckBox, QtGui.QToolButton)
-        if button is not None and not isinstance(button.parent(), QtGui.QDialogButtonBox):
+        if button is not None and not self.ends_panel(button):
             hands.show(button)
             self.tap(button)
+
+    def ends_panel(self, button):
+        return any(button in box.buttons() for box in self.widgets(QtGui.QDialogButtonBox))
 
     def end_panel(self):
         boxes = self.widgets(QtGui.QDialogButtonBox)

@@ -12,8 +12,11 @@ from unittest import mock
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 import _patchmill as core  # noqa: E402
+import FreeCAD  # noqa: E402
+import patchmill  # noqa: E402
 from parts import WithDocuments, job_on, tilted_box  # noqa: E402
-from patchmill import InputError  # noqa: E402
+from patchmill import InputError, posting  # noqa: E402
+from patchmill.posting import requirements  # noqa: E402
 from patchmill.system import memory  # noqa: E402
 from patchmill.textures import division, plan  # noqa: E402
 
@@ -36,21 +39,35 @@ class Memory(WithDocuments):
 
     def test_a_lattice_is_foreseen_before_a_dimple_is_placed(self):
         points = len(plan.place_texture(self.given).dimples)
-        takes = points * division.BYTES_PER_POINT
+        takes = points * division.BYTES_PER_POINT["Projected"] + division.BYTES_AT_LEAST
         with mock.patch.object(core.FaceSampler, "place") as place:
-            self.refused(0.99 * takes, plan.place_texture)
+            self.refused(takes - 1.0, plan.place_texture)
             place.assert_not_called()
-        self.assertEqual(len(self.with_free(1.01 * takes, plan.place_texture).dimples), points)
+        self.assertEqual(len(self.with_free(takes, plan.place_texture).dimples), points)
 
     def test_what_is_cut_is_foreseen_before_it_is_planned(self):
         cut = dict(plan.place_texture(self.given).dimples.counts())["cut"]
-        takes = cut * division.BYTES_PER_DIMPLE
-        self.refused(0.99 * takes, plan.plan_texture)
-        self.assertEqual(self.with_free(1.01 * takes, plan.plan_texture).counts["cut"], cut)
+        takes = cut * division.BYTES_PER_DIMPLE + division.BYTES_AT_LEAST
+        self.refused(takes - 1.0, plan.plan_texture)
+        self.assertEqual(self.with_free(takes, plan.plan_texture).counts["cut"], cut)
 
     def test_millions_of_dimples_are_refused_where_there_are_few_gigabytes(self):
         self.given.patches_x, self.given.patches_y = 200, 210  # of 100 dimples: 4.2 million
-        self.refused(1e9, plan.place_texture)
+        self.refused(3e8, plan.place_texture)
+
+    def test_a_program_is_foreseen_before_it_is_written(self):
+        (op,) = (o for o in FreeCAD.ActiveDocument.Objects if hasattr(o, "PatchSide"))
+        (job,) = (o for o in FreeCAD.ActiveDocument.Objects if hasattr(o, "Fixtures"))
+        patchmill.recompute(op)
+        job.Fixtures = ["G54", "G55"]
+        takes = 2 * op.Path.Size * requirements.BYTES_PER_COMMAND
+        with mock.patch.object(memory, "available", return_value=takes - 1.0):
+            with self.assertRaises(InputError) as caught:
+                posting.text_of(job, "patchmill_linuxcnc", "--precision=%d" % op.Decimals)
+        self.assertEqual(caught.exception.property, "Operations")
+        self.assertRegex(str(caught.exception), r"%d commands.* GB are free" % (2 * op.Path.Size))
+        with mock.patch.object(memory, "available", return_value=takes):
+            self.assertTrue(posting.text_of(job, "patchmill_linuxcnc", "--precision=%d" % op.Decimals))
 
     def test_free_is_no_more_than_the_limit_of_the_process(self):
         free = memory.available()

@@ -82,6 +82,7 @@ def _ready(job, post_name, arguments):
     words = requirements.split_arguments(arguments)
     requirements.check_offsets(job.Fixtures)
     operations = _active_operations(job)
+    requirements.require_memory(operations, job.Fixtures)
     textures = [op for op in operations if kind_of(op) == TEXTURE]
     plans = [planned(op) for op in textures]
     post_name = post_name or control_match.post_for(plans)

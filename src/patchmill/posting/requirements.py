@@ -13,8 +13,12 @@ from _patchmill import InputError
 from patchmill.freecad import host, post_probe
 from patchmill.machine import calibrated
 from patchmill.posting.control_match import own_dialect
+from patchmill.system import memory
 from patchmill.textures import strategies
 from patchmill.verify import posted_milling
+
+# of a path, while its program is made and read back: measured by tests/bench/jobs_memory_bench.py
+BYTES_PER_COMMAND = 2200
 
 
 def split_arguments(arguments):
@@ -34,6 +38,13 @@ def check_offsets(offsets):
         if not re.fullmatch(r"G5[4-9]|G59\.[123]|G54\.1 P[1-9]\d*", name.strip().upper(), re.ASCII):
             remedy = "it is no work offset of a control: choose G54 to G59.3 in the job's setup."
             raise InputError("Fixtures", name or "''", remedy)
+
+
+def require_memory(operations, offsets):
+    """Raises InputError naming Operations if there is no memory for their program at these offsets."""
+    commands = len(offsets) * sum(op.Path.Size for op in operations)
+    remedy = "post fewer patches or operations at a time (post_files)."
+    memory.require(BYTES_PER_COMMAND * commands, "Operations", "%d commands" % commands, remedy)
 
 
 def check_verdict(op, plan):

@@ -12,9 +12,10 @@ from _patchmill import InputError
 from patchmill.system import memory
 from patchmill.textures import masks
 
-# measured by tests/bench/jobs_memory_bench.py, from 30 thousand dimples to 300 thousand
-BYTES_PER_POINT = 250  # of the lattice, while dimples are placed
-BYTES_PER_DIMPLE = 3000  # to be cut, with its moves in the document
+# measured by tests/bench/jobs_memory_bench.py, from 10 thousand dimples to two million
+BYTES_PER_POINT = {"Projected": 125, "On surface": 380}  # of the lattice, while dimples are placed
+BYTES_PER_DIMPLE = 4100  # to be cut, with its moves in the document
+BYTES_AT_LEAST = 9e6  # the threads' own
 
 
 def _direction(given, remarks):
@@ -131,8 +132,8 @@ def divide(given, plane, sampler, low, high, remarks, progress):
     if given.mapping == "Projected":
         pattern = _fitting(given, high - low, remarks)
         if covering:
-            return _foreseen(core.cover(pattern, low, high)), None
-        return _foreseen(core.patch_block(pattern, given.patches_x, given.patches_y)), None
+            return _foreseen(given, core.cover(pattern, low, high)), None
+        return _foreseen(given, core.patch_block(pattern, given.patches_x, given.patches_y)), None
     pattern = _pattern(given, given.patch_side, given.patch_side_across)
     laid = core.lay_on_faces(
         pattern,
@@ -147,16 +148,17 @@ def divide(given, plane, sampler, low, high, remarks, progress):
     if laid is None:
         return None
     if covering:
-        return _foreseen(laid.cover()), laid
-    return _foreseen(core.patch_block(pattern, given.patches_x, given.patches_y)), laid
+        return _foreseen(given, laid.cover()), laid
+    return _foreseen(given, core.patch_block(pattern, given.patches_x, given.patches_y)), laid
 
 
-def _foreseen(division):
+def _foreseen(given, division):
     """The division. Raises InputError naming Spacing if there is no memory for its lattice points."""
     (outline,) = core.patch_block(division.pattern, 1, 1).outlines()
     x, y = outline.T
     area = 0.5 * abs(x @ np.roll(y, -1) - y @ np.roll(x, -1))
-    require_memory(division, BYTES_PER_POINT, len(division) * area / division.pattern.cell_area)
+    points = len(division) * area / division.pattern.cell_area
+    require_memory(division, BYTES_PER_POINT[given.mapping], points)
     return division
 
 
@@ -164,7 +166,7 @@ def require_memory(division, each, count):
     """Raises InputError naming Spacing if so many dimples, of so many bytes each, take more memory than there
     is."""
     remedy = "there would be %.3g dimples. Choose a larger spacing, fewer patches or fewer faces." % count
-    memory.require(each * count, "Spacing", "%g mm" % division.pattern.spacing, remedy)
+    memory.require(each * count + BYTES_AT_LEAST, "Spacing", "%g mm" % division.pattern.spacing, remedy)
 
 
 def _start_on_faces(given, sampler):
