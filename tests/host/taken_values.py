@@ -31,6 +31,7 @@ TAKEN = [
     ("a factor, or a lift, that turns the pyramid over", "zero negative",
      "PatchSurface height_factor, PatchSurface apex_lift"),
     ("the widest tilt: upright all over", "zero", "tool_axes widest"),
+    ("no posture", "zero", "estimate_voxels posture_fields, voxelise posture_fields"),
     ("whole units are posted", "zero", "* decimals, write_program precision"),
     ("exactly, or nothing at all is allowed or blended", "zero",
      "match_plan tolerance, MotionModel tolerance, axes_by_row tolerance, check_clearance tolerance, "

@@ -41,11 +41,11 @@ py::dict counts(const voxel::VoxelGrid& grid) {
   return d;
 }
 
-// Components of a posture that is stored for each voxel.
+// Components of a posture that is stored for each voxel; 0 if there is none.
 int fields_of(int posture_fields) {
-  if (posture_fields != 2 && posture_fields != 3)
+  if (posture_fields != 0 && posture_fields != 2 && posture_fields != 3)
     throw InputError("posture_fields", std::to_string(posture_fields),
-                     "give 2, for angles, or 3, for a vector's components.");
+                     "give 0, for no posture, 2, for angles, or 3, for a vector's components.");
   return posture_fields;
 }
 
@@ -141,7 +141,8 @@ void bind_grid(py::module_& m) {
       },
       py::arg("stock"), py::arg("part"), py::arg("pitch"), py::arg("posture_fields") = 2,
       py::arg("materials") = false,
-      "Bytes foreseen, nothing allocated. `posture_fields`: 2 angles or 3 components; `materials`: "
+      "Bytes foreseen, nothing allocated. `posture_fields`: 2 angles, 3 components or 0; "
+      "`materials`: "
       "whether there are other than the stock's own. Raises InputError naming voxel size or "
       "posture_fields.");
   m.def("voxelise",

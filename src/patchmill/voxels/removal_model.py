@@ -42,7 +42,8 @@ class ModelInput:
 
     @property
     def posture_fields(self):
-        return 3 if self.form == "Unit vector" else 2
+        """Numbers of a posture that each voxel keeps."""
+        return 0 if not self.posture else 3 if self.form == "Unit vector" else 2
 
     def key(self, stock, part, bodies):
         """Says whether a saved model is of the same input. The shapes count by their triangles to 1e-6 mm,

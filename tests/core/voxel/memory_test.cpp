@@ -1,5 +1,6 @@
 // What voxel models take of memory against what was foreseen before it was taken.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/dcm/feed_field.h"
 #include "patchmill/dcm/materials.h"
 #include "patchmill/dcm/posture_field.h"
 #include "patchmill/mesh/triangle_bvh.h"
@@ -87,6 +88,25 @@ TEST(Memory, MaterialsTakeWhatWasForeseen) {
   EXPECT_EQ(static_cast<double>(material.size()), foreseen);
   EXPECT_GT(taken, 0.95 * foreseen);
   EXPECT_LT(taken, 1.05 * foreseen + 1e6);  // and the threads' own
+}
+
+// Without a posture only the feed fields and the voxels' roles are made.
+TEST(Memory, FeedAloneTakesWhatWasForeseen) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer has its own memory";
+#endif
+  const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Zero(), Vec3(320, 320, 100));
+  const mesh::TriangleMesh part = mesh::box_mesh(Vec3::Constant(50), Vec3::Constant(60));
+  const VoxelGrid grid = voxelise(stock, part, {1.0, 1e9, 0});
+  const PeakMemory peak;
+  if (!peak.known()) GTEST_SKIP() << "this system does not say it";
+  const dcm::FeedField feed = dcm::steady_feed(grid, {1.0, 2.0});
+  const double taken = peak.bytes(), foreseen = memory_of(grid.table, 0).fields;
+  std::printf("peak %.1f MB of %.1f foreseen\n", 1e-6 * taken, 1e-6 * foreseen);
+  EXPECT_EQ(memory_of(grid.table, 0).solver, 0.0);
+  EXPECT_EQ(24.0 * static_cast<double>(feed.along[0].size()), foreseen);
+  EXPECT_GT(taken, 0.95 * foreseen);
+  EXPECT_LT(taken, 1.1 * foreseen);
 }
 
 TEST(Memory, EstimateIsCloseToWhatIsStored) {
