@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>Overlapping: the dimples&apos; bottoms are the faces; isolated: the faces stay between dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>Überlappend: der Grund der Mulden ist die Fläche; einzeln: die Fläche bleibt zwischen den Mulden stehen</translation>
     </message>
     <message>
         <source>Depth of the dimples; 0: from the other sizes</source>
@@ -21,15 +21,15 @@
     </message>
     <message>
         <source>Share of the faces that isolated dimples take up, 0 to 1; 0: from the other sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Flächen, den einzelne Mulden einnehmen, 0 bis 1; 0: aus den anderen Größen</translation>
     </message>
     <message>
         <source>Height of what stays between neighbouring dimples; 0: from the other sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe dessen, was zwischen benachbarten Mulden stehen bleibt; 0: aus den anderen Größen</translation>
     </message>
     <message>
         <source>Projected: spacing kept as seen along the projection; on surface: kept along the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Projiziert: der Abstand gilt entlang der Projektion gesehen; auf der Fläche: er gilt entlang der Flächen</translation>
     </message>
     <message>
         <source>Shape of the patches: squares and rectangles on a square lattice, the others on a triangular one</source>
@@ -37,27 +37,27 @@
     </message>
     <message>
         <source>Dimples along the side of a square or triangle; radius of a hexagon in dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>Mulden entlang der Seite eines Quadrats oder Dreiecks; Radius eines Sechsecks in Mulden</translation>
     </message>
     <message>
         <source>Dimples along the other side of a patch whose sides may differ; 0: as the first side</source>
-        <translation type="unfinished"></translation>
+        <translation>Mulden entlang der anderen Seite eines Felds, dessen Seiten verschieden sein können; 0: wie die erste Seite</translation>
     </message>
     <message>
         <source>Patches along X; 0 covers the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder entlang X; 0 bedeckt die Flächen</translation>
     </message>
     <message>
         <source>Patches along Y; 0 covers the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder entlang Y; 0 bedeckt die Flächen</translation>
     </message>
     <message>
         <source>Mill each patch from its outline inwards, or from its centre outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Feld von außen nach innen oder von der Mitte nach außen fräsen</translation>
     </message>
     <message>
         <source>Begin all patches at the same corner, or at the corner nearest to the patch before</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Felder an derselben Ecke beginnen, oder an der Ecke, die dem vorigen Feld am nächsten ist</translation>
     </message>
     <message>
         <source>Mill patch by patch along helices, or in rows of the lattice</source>
@@ -65,55 +65,55 @@
     </message>
     <message>
         <source>Rows run over the whole face, across the borders of patches, or inside each patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen laufen über die ganze Fläche, über die Grenzen der Felder hinweg, oder innerhalb jedes Felds</translation>
     </message>
     <message>
         <source>Direction of the lattice that rows go along: the one of the least time (each is planned), the one nearest to the texture&apos;s X or Y, or the one along which the faces bend least</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung des Gitters, der die Zeilen folgen: die mit der kürzesten Zeit (jede wird geplant), die nächste zu X oder Y der Textur, oder die, entlang der sich die Flächen am wenigsten krümmen</translation>
     </message>
     <message>
         <source>Mill all rows in the same sense; otherwise to and fro</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Zeilen im selben Sinn fräsen; sonst hin und her</translation>
     </message>
     <message>
         <source>Number of the patch, in milling order, with which the program begins; 1: all are milled</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer des Felds, in der Reihenfolge des Fräsens, mit dem das Programm beginnt; 1: alle werden gefräst</translation>
     </message>
     <message>
         <source>Begin each patch with a comment that has its number</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Feld mit einem Kommentar beginnen, der seine Nummer nennt</translation>
     </message>
     <message>
         <source>Direction in which the texture is projected on the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung, in der die Textur auf die Flächen projiziert wird</translation>
     </message>
     <message>
         <source>Project on the faces from the side on which they look largest</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Seite auf die Flächen projizieren, von der sie am größten erscheinen</translation>
     </message>
     <message>
         <source>Rotation of the texture</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung der Textur</translation>
     </message>
     <message>
         <source>Centre the texture on the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Textur auf den Flächen zentrieren</translation>
     </message>
     <message>
         <source>Centre of the texture, if not automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte der Textur, wenn nicht automatisch</translation>
     </message>
     <message>
         <source>Dimples where the face is steeper than this to the projection are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>Mulden, wo die Fläche steiler als dies zur Projektion steht, werden ausgelassen</translation>
     </message>
     <message>
         <source>Dimples where the tool axis is nearer to the normal than this are left out: the tip rubs</source>
-        <translation type="unfinished"></translation>
+        <translation>Mulden, wo die Werkzeugachse der Normalen näher ist als dies, werden ausgelassen: die Spitze reibt</translation>
     </message>
     <message>
         <source>Leave out dimples in which the tip of the ball, which does not cut, would rub</source>
-        <translation type="unfinished"></translation>
+        <translation>Mulden auslassen, in denen die Spitze der Kugel, die nicht schneidet, reiben würde</translation>
     </message>
     <message>
         <source>Dimples nearer than this to the border of the faces are left out</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Patches with fewer dimples than this on the faces are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder mit weniger Mulden als dies auf den Flächen werden ausgelassen</translation>
     </message>
     <message>
         <source>What a picture or closed curves do: leave dimples out, thin them, or set their depth</source>
@@ -129,35 +129,35 @@
     </message>
     <message>
         <source>Picture: white is milled, black is not</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild: Weiß wird gefräst, Schwarz nicht</translation>
     </message>
     <message>
         <source>Sketches or wires: inside is milled, outside is not; used if there is no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Skizzen oder Drähte: innen wird gefräst, außen nicht; gilt, wenn es kein Bild gibt</translation>
     </message>
     <message>
         <source>Change black for white, inside for outside</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwarz und Weiß, innen und außen vertauschen</translation>
     </message>
     <message>
         <source>Width of the picture on the texture plane; 0: as large as fits the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite des Bilds auf der Ebene der Textur; 0: so groß, wie es auf die Flächen passt</translation>
     </message>
     <message>
         <source>Centre of the picture from the texture&apos;s own, along its X and Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte des Bilds von der der Textur aus, entlang ihrer X- und Y-Richtung</translation>
     </message>
     <message>
         <source>Grey below which dimples are left out, 0 (black) to 1 (white)</source>
-        <translation type="unfinished"></translation>
+        <translation>Grau, unter dem Mulden ausgelassen werden, 0 (schwarz) bis 1 (weiß)</translation>
     </message>
     <message>
         <source>Depth of dimples where it is black</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe der Mulden, wo es schwarz ist</translation>
     </message>
     <message>
         <source>Depth of dimples where it is white</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe der Mulden, wo es weiß ist</translation>
     </message>
     <message>
         <source>How the spindle&apos;s phase is kept</source>
@@ -169,31 +169,31 @@
     </message>
     <message>
         <source>Post even if the machine cannot hold the phase</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgeben, auch wenn die Maschine die Phase nicht halten kann</translation>
     </message>
     <message>
         <source>Ball and flutes may cut so deep below the model, besides the texture itself</source>
-        <translation type="unfinished"></translation>
+        <translation>So tief dürfen Kugel und Schneiden unter das Modell schneiden, außer der Textur selbst</translation>
     </message>
     <message>
         <source>Shank and holder must keep so far away from the model</source>
-        <translation type="unfinished"></translation>
+        <translation>So weit müssen Schaft und Halter vom Modell entfernt bleiben</translation>
     </message>
     <message>
         <source>How far the tool stands out of its holder; 0: the tool bit&apos;s length</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit das Werkzeug aus dem Halter ragt; 0: die Länge des Werkzeugs</translation>
     </message>
     <message>
         <source>Diameter of the holder, for the collision check; 0: no holder</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser des Halters, für die Kollisionsprüfung; 0: kein Halter</translation>
     </message>
     <message>
         <source>Length of the holder, for the collision check</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge des Halters, für die Kollisionsprüfung</translation>
     </message>
     <message>
         <source>Post even if the tool gouges or collides, or if that is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgeben, auch wenn das Werkzeug das Teil verletzt oder kollidiert, oder wenn das nicht bekannt ist</translation>
     </message>
     <message>
         <source>Fixed axis, surface normal with lead and tilt, fixed axis but leaned away from the normal, or field</source>
@@ -201,55 +201,55 @@
     </message>
     <message>
         <source>Direction from the tip to the holder; other than Z it needs rotary axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung von der Spitze zum Halter; eine andere als Z braucht Drehachsen</translation>
     </message>
     <message>
         <source>Lean from the normal towards the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung von der Normalen zum Vorschub hin</translation>
     </message>
     <message>
         <source>Lean from the normal to the left of the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung von der Normalen nach links vom Vorschub</translation>
     </message>
     <message>
         <source>Least angle between tool axis and normal, so that the tip does not cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster Winkel zwischen Werkzeugachse und Normale, damit die Spitze nicht schneidet</translation>
     </message>
     <message>
         <source>Direction that the lead leans towards instead of the feed; zero: the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung, zu der statt zum Vorschub geneigt wird; null: der Vorschub</translation>
     </message>
     <message>
         <source>DCM modifier whose voxel model gives the axes; none: the job&apos;s stock less its model</source>
-        <translation type="unfinished"></translation>
+        <translation>DCM-Modifikator, dessen Voxelmodell die Achsen gibt; keiner: das Rohteil des Auftrags ohne sein Modell</translation>
     </message>
     <message>
         <source>Side of a voxel if no modifier is named</source>
-        <translation type="unfinished"></translation>
+        <translation>Kante eines Voxels, wenn kein Modifikator genannt ist</translation>
     </message>
     <message>
         <source>By how much an axis may be drawn towards its neighbours&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel eine Achse zu denen ihrer Nachbarn gezogen werden darf</translation>
     </message>
     <message>
         <source>Greatest angle of the axis to Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Winkel der Achse zu Z</translation>
     </message>
     <message>
         <source>Spindle-locked rows keep one axis; greatest angle between it and the one asked for (half of it is used to turn less from row to row)</source>
-        <translation type="unfinished"></translation>
+        <translation>An die Spindel gekoppelte Zeilen behalten eine Achse; größter Winkel zwischen ihr und der gewünschten (die Hälfte davon dient dazu, von Zeile zu Zeile weniger zu drehen)</translation>
     </message>
     <message>
         <source>Whether the controller keeps the tool point (TCP), or the program is referred to the pivots</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Steuerung die Werkzeugspitze führt (TCP), oder das Programm auf die Drehpunkte bezogen ist</translation>
     </message>
     <message>
         <source>Length from the spindle&apos;s gauge point to the tip, for tilting heads without TCP</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge vom Bezugspunkt der Spindel zur Spitze, für Schwenkköpfe ohne TCP</translation>
     </message>
     <message>
         <source>Clearance of paced paths between rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Abheben getakteter Bahnen zwischen Zeilen</translation>
     </message>
     <message>
         <source>One flute makes all dimples</source>
@@ -261,291 +261,291 @@
     </message>
     <message>
         <source>Angle added per dimple, for calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Je Mulde hinzugefügter Winkel, zum Kalibrieren</translation>
     </message>
     <message>
         <source>Decimals of the posted coordinates; must be the post&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachkommastellen der ausgegebenen Koordinaten; es müssen die des Postprozessors sein</translation>
     </message>
     <message>
         <source>Greatest phase error of the posted program</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Phasenfehler des ausgegebenen Programms</translation>
     </message>
     <message>
         <source>Each patch&apos;s plane fits its dimples on the faces best, or goes through its corners there</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ebene jedes Felds passt am besten zu seinen Mulden auf den Flächen, oder geht dort durch seine Ecken</translation>
     </message>
     <message>
         <source>Lattice: dimples are placed; free: marks fall as side, cross-feed and feed make them</source>
-        <translation type="unfinished"></translation>
+        <translation>Gitter: Mulden werden gesetzt; frei: Spuren fallen, wie Seite, Querzustellung und Vorschub sie ergeben</translation>
     </message>
     <message>
         <source>Side of the patches</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite der Felder</translation>
     </message>
     <message>
         <source>Distance of neighbouring passes</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand benachbarter Bahnen</translation>
     </message>
     <message>
         <source>Distance of marks along the path; 0: from the tool controller&apos;s feed and spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Spuren entlang der Bahn; 0: aus Vorschub und Drehzahl der Werkzeugsteuerung</translation>
     </message>
     <message>
         <source>1: corners and apex on the faces; 0: flat; other values exaggerate or invert the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>1: Ecken und Spitze auf den Flächen; 0: eben; andere Werte überhöhen die Pyramide oder kehren sie um</translation>
     </message>
     <message>
         <source>Added to the height of each apex</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird zur Höhe jeder Spitze hinzugefügt</translation>
     </message>
     <message>
         <source>Lines in planes along X, or contours at levels</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen in Ebenen entlang X, oder Höhenlinien</translation>
     </message>
     <message>
         <source>Layers from the stock, the last pass, or both</source>
-        <translation type="unfinished"></translation>
+        <translation>Schichten aus dem Rohteil, der letzte Durchgang, oder beides</translation>
     </message>
     <message>
         <source>Distance between lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Zeilen</translation>
     </message>
     <message>
         <source>Distance between layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Schichten</translation>
     </message>
     <message>
         <source>The last pass&apos;s; 0: as the others&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Der des letzten Durchgangs; 0: wie die anderen</translation>
     </message>
     <message>
         <source>Left by roughing for the last pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Schruppen für den letzten Durchgang übrig lässt</translation>
     </message>
     <message>
         <source>Of the path from the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bahn vom Modell</translation>
     </message>
     <message>
         <source>What is taken from the voxel model</source>
-        <translation type="unfinished"></translation>
+        <translation>Was dem Voxelmodell entnommen wird</translation>
     </message>
     <message>
         <source>Side of a voxel</source>
-        <translation type="unfinished"></translation>
+        <translation>Kante eines Voxels</translation>
     </message>
     <message>
         <source>Feed at the product&apos;s surface, V_Lo</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub an der Oberfläche des Produkts, V_Lo</translation>
     </message>
     <message>
         <source>Feed at the skin of the stock, V_Hi</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub an der Haut des Rohteils, V_Hi</translation>
     </message>
     <message>
         <source>Feed where nothing is left to cut; 0: as elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub, wo nichts mehr zu schneiden ist; 0: wie sonst</translation>
     </message>
     <message>
         <source>Moves that go down steeply never get faster</source>
-        <translation type="unfinished"></translation>
+        <translation>Steil nach unten gehende Wege werden nie schneller</translation>
     </message>
     <message>
         <source>Other materials in the stock: &apos;name factor where&apos;, a factor on the feed, and a depth in mm below the stock&apos;s surface or the name of a solid</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Werkstoffe im Rohteil: &apos;Name Faktor wo&apos;, ein Faktor für den Vorschub, und eine Tiefe in mm unter der Oberfläche des Rohteils oder der Name eines Körpers</translation>
     </message>
     <message>
         <source>Whether the values at the skin of the stock are held, or are only where diffusion begins</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Werte an der Haut des Rohteils gehalten werden, oder nur der Anfang der Diffusion sind</translation>
     </message>
     <message>
         <source>Of the feed: to its steady state, or for a time as in the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Vorschubs: bis zum stationären Zustand, oder für eine Zeit wie in der Veröffentlichung</translation>
     </message>
     <message>
         <source>Of a transient diffusion, in seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Einer zeitabhängigen Diffusion, in Sekunden</translation>
     </message>
     <message>
         <source>Of a transient diffusion, in mm^2/s</source>
-        <translation type="unfinished"></translation>
+        <translation>Einer zeitabhängigen Diffusion, in mm^2/s</translation>
     </message>
     <message>
         <source>Divide a time step that is too long for the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Zeitschritt teilen, der für die Voxel zu lang ist</translation>
     </message>
     <message>
         <source>Diffuse the two angles (as in the paper) or the unit vector of the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden Winkel (wie in der Veröffentlichung) oder den Einheitsvektor der Achse diffundieren</translation>
     </message>
     <message>
         <source>Greatest angle of the posture about X and about Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Winkel der Werkzeugstellung um X und um Y</translation>
     </message>
     <message>
         <source>Interpolate between voxels, or take each voxel&apos;s value (the paper&apos;s staircase)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen Voxeln interpolieren, oder den Wert jedes Voxels nehmen (die Treppe der Veröffentlichung)</translation>
     </message>
     <message>
         <source>Where the voxels are read</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Voxel gelesen werden</translation>
     </message>
     <message>
         <source>Of a move&apos;s feed from the field&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Vorschubs eines Wegs von dem des Felds</translation>
     </message>
     <message>
         <source>Of the axis along a move</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Achse entlang eines Wegs</translation>
     </message>
     <message>
         <source>Name of the machine file; empty: no limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Maschinendatei; leer: keine Grenzen</translation>
     </message>
     <message>
         <source>Frusta of shank and holder: &apos;from to diameter diameter&apos;, heights above the tip in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Kegelstümpfe von Schaft und Halter: &apos;von bis Durchmesser Durchmesser&apos;, Höhen über der Spitze in mm</translation>
     </message>
     <message>
         <source>That is kept between holder and part</source>
-        <translation type="unfinished"></translation>
+        <translation>Der zwischen Halter und Teil gehalten wird</translation>
     </message>
     <message>
         <source>Of the triangles that stand for the shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Dreiecke, die für die Formen stehen</translation>
     </message>
     <message>
         <source>For the voxel model and its fields, in MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>Für das Voxelmodell und seine Felder, in MiB</translation>
     </message>
     <message>
         <source>Dimples that are milled</source>
-        <translation type="unfinished"></translation>
+        <translation>Mulden, die gefräst werden</translation>
     </message>
     <message>
         <source>Lattice points left out, by reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelassene Gitterpunkte, nach Grund</translation>
     </message>
     <message>
         <source>Mean spindle turns from dimple to dimple</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Umdrehungen der Spindel von Mulde zu Mulde</translation>
     </message>
     <message>
         <source>Whether the machine can hold the phase</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Maschine die Phase halten kann</translation>
     </message>
     <message>
         <source>Distance of neighbouring dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand benachbarter Mulden</translation>
     </message>
     <message>
         <source>Depth of the dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe der Mulden</translation>
     </message>
     <message>
         <source>Diameter of a dimple&apos;s rim</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser des Randes einer Mulde</translation>
     </message>
     <message>
         <source>Share of the faces that is dimple, 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Flächen, der Mulde ist, 0 bis 1</translation>
     </message>
     <message>
         <source>Height of what stays between dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe dessen, was zwischen Mulden stehen bleibt</translation>
     </message>
     <message>
         <source>Tilt below which the tip rubs in a dimple</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung, unter der die Spitze in einer Mulde reibt</translation>
     </message>
     <message>
         <source>Milled dimples in which the tip rubs</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefräste Mulden, in denen die Spitze reibt</translation>
     </message>
     <message>
         <source>Least distance of any two dimples, straight in space</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster Abstand zweier Mulden, geradeaus im Raum</translation>
     </message>
     <message>
         <source>Greatest distance of neighbours, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Abstand von Nachbarn, gemessen</translation>
     </message>
     <message>
         <source>Root mean square of distance / spacing - 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadratisches Mittel von Abstand / Sollabstand - 1</translation>
     </message>
     <message>
         <source>Least angle of lattice directions, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster Winkel der Gitterrichtungen, gemessen</translation>
     </message>
     <message>
         <source>Greatest angle of lattice directions, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Winkel der Gitterrichtungen, gemessen</translation>
     </message>
     <message>
         <source>Milled dimples, each worth a cell of the lattice, over the faces&apos; area; 0: not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefräste Mulden, jede eine Zelle des Gitters wert, durch den Inhalt der Flächen; 0: nicht bekannt</translation>
     </message>
     <message>
         <source>What was decided for you, and what is not covered</source>
-        <translation type="unfinished"></translation>
+        <translation>Was für Sie entschieden wurde, und was nicht bedeckt ist</translation>
     </message>
     <message>
         <source>Direction of the projection</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung der Projektion</translation>
     </message>
     <message>
         <source>How marks of neighbouring passes stand</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Spuren benachbarter Bahnen zueinander stehen</translation>
     </message>
     <message>
         <source>Predicted drift from pass to pass, in teeth</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorhergesagte Verschiebung von Bahn zu Bahn, in Zähnen</translation>
     </message>
     <message>
         <source>The same, measured on the path</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe, an der Bahn gemessen</translation>
     </message>
     <message>
         <source>Largest difference of the phase measured on the path and predicted, in teeth</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Unterschied der an der Bahn gemessenen und der vorhergesagten Phase, in Zähnen</translation>
     </message>
     <message>
         <source>Of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bahn</translation>
     </message>
     <message>
         <source>Ridge between lines on a flat, in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Grat zwischen Zeilen auf einer Ebene, in mm</translation>
     </message>
     <message>
         <source>Lines left out: in a cavity, not reached from above</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelassene Zeilen: in einem Hohlraum, von oben nicht erreicht</translation>
     </message>
     <message>
         <source>Timed moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Wege mit eigener Zeit</translation>
     </message>
     <message>
         <source>The base operation&apos;s, in seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Die der Grundoperation, in Sekunden</translation>
     </message>
     <message>
         <source>Between moves that go straight on, in mm/min</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen Wegen, die geradeaus weitergehen, in mm/min</translation>
     </message>
     <message>
         <source>Within a move, in degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Innerhalb eines Wegs, in Grad</translation>
     </message>
     <message>
         <source>That are stored</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gespeichert sind</translation>
     </message>
     <message>
         <source>Places where no axis keeps the holder clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen, an denen keine Achse den Halter frei hält</translation>
     </message>
     <message>
         <source>Stock and model of the job: recomputed when they change</source>
@@ -557,35 +557,35 @@
     </message>
     <message>
         <source>Number of the patch, in milling order, with which the program ends; 0: with the last one</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer des Felds, in der Reihenfolge des Fräsens, mit dem das Programm endet; 0: mit dem letzten</translation>
     </message>
     <message>
         <source>Stop before each patch if the operator has switched optional stops on (M1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor jedem Feld anhalten, wenn wahlweiser Halt eingeschaltet ist (M1)</translation>
     </message>
     <message>
         <source>Cutting end and flutes may cut so deep below the model, besides Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>So tief dürfen Stirn und Schneiden unter das Modell schneiden, außer der Toleranz</translation>
     </message>
     <message>
         <source>Cutting end and flutes may cut so deep below the model, besides the tolerance of copy milling under it</source>
-        <translation type="unfinished"></translation>
+        <translation>So tief dürfen Stirn und Schneiden unter das Modell schneiden, außer der Toleranz des Kopierfräsens darunter</translation>
     </message>
     <message>
         <source>Time of all moves, rapids too, in seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit aller Wege, auch der Eilgänge, in Sekunden</translation>
     </message>
     <message>
         <source>Tool controller of the operation that is modified</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugsteuerung der Operation, die geändert wird</translation>
     </message>
     <message>
         <source>Time that FreeCAD counts for the job</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, die FreeCAD für den Auftrag zählt</translation>
     </message>
     <message>
         <source>Whether the operation that is modified is switched on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Operation, die geändert wird, eingeschaltet ist</translation>
     </message>
 </context>
 <context>
@@ -2079,6 +2079,10 @@ Spindel {:.0f}°</translation>
     <message>
         <source>counted from</source>
         <translation>gezählt von</translation>
+    </message>
+    <message>
+        <source>{}, borders not as good</source>
+        <translation>{}, Ränder weniger gut</translation>
     </message>
 </context>
 <context>

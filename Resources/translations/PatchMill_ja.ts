@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>Overlapping: the dimples&apos; bottoms are the faces; isolated: the faces stay between dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>重なり: くぼみの底が面になる; 独立: くぼみの間に面が残る</translation>
     </message>
     <message>
         <source>Depth of the dimples; 0: from the other sizes</source>
@@ -21,15 +21,15 @@
     </message>
     <message>
         <source>Share of the faces that isolated dimples take up, 0 to 1; 0: from the other sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>独立したくぼみが占める面の割合、0〜1; 0: 他の寸法から</translation>
     </message>
     <message>
         <source>Height of what stays between neighbouring dimples; 0: from the other sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>隣り合うくぼみの間に残る高さ; 0: 他の寸法から</translation>
     </message>
     <message>
         <source>Projected: spacing kept as seen along the projection; on surface: kept along the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>投影: 投影方向から見て間隔を保つ; 面上: 面に沿って間隔を保つ</translation>
     </message>
     <message>
         <source>Shape of the patches: squares and rectangles on a square lattice, the others on a triangular one</source>
@@ -37,27 +37,27 @@
     </message>
     <message>
         <source>Dimples along the side of a square or triangle; radius of a hexagon in dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>正方形や三角形の一辺のくぼみの数; 六角形ではくぼみで数えた半径</translation>
     </message>
     <message>
         <source>Dimples along the other side of a patch whose sides may differ; 0: as the first side</source>
-        <translation type="unfinished"></translation>
+        <translation>辺の長さが異なりうるパッチのもう一辺のくぼみの数; 0: 最初の辺と同じ</translation>
     </message>
     <message>
         <source>Patches along X; 0 covers the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>X方向のパッチの数; 0: 面を覆う</translation>
     </message>
     <message>
         <source>Patches along Y; 0 covers the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Y方向のパッチの数; 0: 面を覆う</translation>
     </message>
     <message>
         <source>Mill each patch from its outline inwards, or from its centre outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>各パッチを外周から内へ、または中心から外へ削る</translation>
     </message>
     <message>
         <source>Begin all patches at the same corner, or at the corner nearest to the patch before</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてのパッチを同じ角から、または前のパッチに最も近い角から始める</translation>
     </message>
     <message>
         <source>Mill patch by patch along helices, or in rows of the lattice</source>
@@ -65,55 +65,55 @@
     </message>
     <message>
         <source>Rows run over the whole face, across the borders of patches, or inside each patch</source>
-        <translation type="unfinished"></translation>
+        <translation>列をパッチの境を越えて面全体に通す、または各パッチの中に収める</translation>
     </message>
     <message>
         <source>Direction of the lattice that rows go along: the one of the least time (each is planned), the one nearest to the texture&apos;s X or Y, or the one along which the faces bend least</source>
-        <translation type="unfinished"></translation>
+        <translation>列が従う格子の方向: 時間が最も短い方向 (それぞれ計画する)、テクスチャのXまたはYに最も近い方向、または面の曲がりが最も小さい方向</translation>
     </message>
     <message>
         <source>Mill all rows in the same sense; otherwise to and fro</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての列を同じ向きに削る; それ以外は往復</translation>
     </message>
     <message>
         <source>Number of the patch, in milling order, with which the program begins; 1: all are milled</source>
-        <translation type="unfinished"></translation>
+        <translation>プログラムを始めるパッチの加工順の番号; 1: すべて削る</translation>
     </message>
     <message>
         <source>Begin each patch with a comment that has its number</source>
-        <translation type="unfinished"></translation>
+        <translation>各パッチの初めに番号のコメントを置く</translation>
     </message>
     <message>
         <source>Direction in which the texture is projected on the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャを面に投影する方向</translation>
     </message>
     <message>
         <source>Project on the faces from the side on which they look largest</source>
-        <translation type="unfinished"></translation>
+        <translation>面が最も大きく見える側から投影する</translation>
     </message>
     <message>
         <source>Rotation of the texture</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャの回転</translation>
     </message>
     <message>
         <source>Centre the texture on the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャを面の中央に置く</translation>
     </message>
     <message>
         <source>Centre of the texture, if not automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャの中心 (自動でない場合)</translation>
     </message>
     <message>
         <source>Dimples where the face is steeper than this to the projection are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>面が投影に対してこれより急な所のくぼみを除く</translation>
     </message>
     <message>
         <source>Dimples where the tool axis is nearer to the normal than this are left out: the tip rubs</source>
-        <translation type="unfinished"></translation>
+        <translation>工具軸がこれより法線に近い所のくぼみを除く: 先端がこする</translation>
     </message>
     <message>
         <source>Leave out dimples in which the tip of the ball, which does not cut, would rub</source>
-        <translation type="unfinished"></translation>
+        <translation>切れないボール先端がこするくぼみを除く</translation>
     </message>
     <message>
         <source>Dimples nearer than this to the border of the faces are left out</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Patches with fewer dimples than this on the faces are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>面上のくぼみがこれより少ないパッチを除く</translation>
     </message>
     <message>
         <source>What a picture or closed curves do: leave dimples out, thin them, or set their depth</source>
@@ -129,35 +129,35 @@
     </message>
     <message>
         <source>Picture: white is milled, black is not</source>
-        <translation type="unfinished"></translation>
+        <translation>画像: 白は削り、黒は削らない</translation>
     </message>
     <message>
         <source>Sketches or wires: inside is milled, outside is not; used if there is no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>スケッチまたはワイヤー: 内側は削り、外側は削らない; 画像がない場合に使う</translation>
     </message>
     <message>
         <source>Change black for white, inside for outside</source>
-        <translation type="unfinished"></translation>
+        <translation>黒と白、内と外を入れ替える</translation>
     </message>
     <message>
         <source>Width of the picture on the texture plane; 0: as large as fits the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャ平面上の画像の幅; 0: 面に収まる大きさ</translation>
     </message>
     <message>
         <source>Centre of the picture from the texture&apos;s own, along its X and Y</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャの中心から見た画像の中心 (テクスチャのXとYに沿って)</translation>
     </message>
     <message>
         <source>Grey below which dimples are left out, 0 (black) to 1 (white)</source>
-        <translation type="unfinished"></translation>
+        <translation>これより暗い所のくぼみを除く灰色、0 (黒) 〜 1 (白)</translation>
     </message>
     <message>
         <source>Depth of dimples where it is black</source>
-        <translation type="unfinished"></translation>
+        <translation>黒い所のくぼみの深さ</translation>
     </message>
     <message>
         <source>Depth of dimples where it is white</source>
-        <translation type="unfinished"></translation>
+        <translation>白い所のくぼみの深さ</translation>
     </message>
     <message>
         <source>How the spindle&apos;s phase is kept</source>
@@ -169,31 +169,31 @@
     </message>
     <message>
         <source>Post even if the machine cannot hold the phase</source>
-        <translation type="unfinished"></translation>
+        <translation>機械が位相を保てなくても出力する</translation>
     </message>
     <message>
         <source>Ball and flutes may cut so deep below the model, besides the texture itself</source>
-        <translation type="unfinished"></translation>
+        <translation>ボールと刃がモデルの下へ切り込んでよい深さ (テクスチャ自体を除く)</translation>
     </message>
     <message>
         <source>Shank and holder must keep so far away from the model</source>
-        <translation type="unfinished"></translation>
+        <translation>シャンクとホルダーがモデルから離れるべき距離</translation>
     </message>
     <message>
         <source>How far the tool stands out of its holder; 0: the tool bit&apos;s length</source>
-        <translation type="unfinished"></translation>
+        <translation>工具がホルダーから出る長さ; 0: 工具の長さ</translation>
     </message>
     <message>
         <source>Diameter of the holder, for the collision check; 0: no holder</source>
-        <translation type="unfinished"></translation>
+        <translation>衝突検査用のホルダーの直径; 0: ホルダーなし</translation>
     </message>
     <message>
         <source>Length of the holder, for the collision check</source>
-        <translation type="unfinished"></translation>
+        <translation>衝突検査用のホルダーの長さ</translation>
     </message>
     <message>
         <source>Post even if the tool gouges or collides, or if that is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>工具が食い込むか衝突する場合や、それが不明な場合も出力する</translation>
     </message>
     <message>
         <source>Fixed axis, surface normal with lead and tilt, fixed axis but leaned away from the normal, or field</source>
@@ -201,55 +201,55 @@
     </message>
     <message>
         <source>Direction from the tip to the holder; other than Z it needs rotary axes</source>
-        <translation type="unfinished"></translation>
+        <translation>先端からホルダーへの方向; Z以外では回転軸が必要</translation>
     </message>
     <message>
         <source>Lean from the normal towards the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>法線から送り方向への傾き</translation>
     </message>
     <message>
         <source>Lean from the normal to the left of the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>法線から送りの左への傾き</translation>
     </message>
     <message>
         <source>Least angle between tool axis and normal, so that the tip does not cut</source>
-        <translation type="unfinished"></translation>
+        <translation>先端で切らないための工具軸と法線の最小角</translation>
     </message>
     <message>
         <source>Direction that the lead leans towards instead of the feed; zero: the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>送りの代わりに傾ける方向; ゼロ: 送り方向</translation>
     </message>
     <message>
         <source>DCM modifier whose voxel model gives the axes; none: the job&apos;s stock less its model</source>
-        <translation type="unfinished"></translation>
+        <translation>軸を与えるボクセルモデルのDCM修飾; なし: ジョブの素材からモデルを引いたもの</translation>
     </message>
     <message>
         <source>Side of a voxel if no modifier is named</source>
-        <translation type="unfinished"></translation>
+        <translation>修飾を指定しない場合のボクセルの一辺</translation>
     </message>
     <message>
         <source>By how much an axis may be drawn towards its neighbours&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>軸を隣の軸へ寄せてよい角度</translation>
     </message>
     <message>
         <source>Greatest angle of the axis to Z</source>
-        <translation type="unfinished"></translation>
+        <translation>軸とZの最大角</translation>
     </message>
     <message>
         <source>Spindle-locked rows keep one axis; greatest angle between it and the one asked for (half of it is used to turn less from row to row)</source>
-        <translation type="unfinished"></translation>
+        <translation>スピンドル同期の列は一つの軸を保つ; その軸と求める軸の最大角 (半分は列ごとの回転を減らすために使う)</translation>
     </message>
     <message>
         <source>Whether the controller keeps the tool point (TCP), or the program is referred to the pivots</source>
-        <translation type="unfinished"></translation>
+        <translation>制御装置が工具先端点を保つ (TCP) か、プログラムを回転中心基準とするか</translation>
     </message>
     <message>
         <source>Length from the spindle&apos;s gauge point to the tip, for tilting heads without TCP</source>
-        <translation type="unfinished"></translation>
+        <translation>TCPのない旋回ヘッドでの、スピンドル基準点から先端までの長さ</translation>
     </message>
     <message>
         <source>Clearance of paced paths between rows</source>
-        <translation type="unfinished"></translation>
+        <translation>送り同期の経路の列間の逃げ</translation>
     </message>
     <message>
         <source>One flute makes all dimples</source>
@@ -261,291 +261,291 @@
     </message>
     <message>
         <source>Angle added per dimple, for calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>校正のためくぼみごとに加える角度</translation>
     </message>
     <message>
         <source>Decimals of the posted coordinates; must be the post&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>出力座標の小数桁; ポストと同じであること</translation>
     </message>
     <message>
         <source>Greatest phase error of the posted program</source>
-        <translation type="unfinished"></translation>
+        <translation>出力プログラムの最大位相誤差</translation>
     </message>
     <message>
         <source>Each patch&apos;s plane fits its dimples on the faces best, or goes through its corners there</source>
-        <translation type="unfinished"></translation>
+        <translation>各パッチの平面を面上のくぼみに最もよく合わせる、または面上の角を通す</translation>
     </message>
     <message>
         <source>Lattice: dimples are placed; free: marks fall as side, cross-feed and feed make them</source>
-        <translation type="unfinished"></translation>
+        <translation>格子: くぼみを配置する; 自由: 一辺・横送り・送りのなすままに痕が並ぶ</translation>
     </message>
     <message>
         <source>Side of the patches</source>
-        <translation type="unfinished"></translation>
+        <translation>パッチの一辺</translation>
     </message>
     <message>
         <source>Distance of neighbouring passes</source>
-        <translation type="unfinished"></translation>
+        <translation>隣り合う経路の間隔</translation>
     </message>
     <message>
         <source>Distance of marks along the path; 0: from the tool controller&apos;s feed and spindle speed</source>
-        <translation type="unfinished"></translation>
+        <translation>経路に沿う痕の間隔; 0: 工具コントローラーの送りと回転数から</translation>
     </message>
     <message>
         <source>1: corners and apex on the faces; 0: flat; other values exaggerate or invert the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>1: 角と頂点が面上; 0: 平ら; 他の値はピラミッドを強調または反転</translation>
     </message>
     <message>
         <source>Added to the height of each apex</source>
-        <translation type="unfinished"></translation>
+        <translation>各頂点の高さに加える値</translation>
     </message>
     <message>
         <source>Lines in planes along X, or contours at levels</source>
-        <translation type="unfinished"></translation>
+        <translation>Xに沿う平面内の線、または等高線</translation>
     </message>
     <message>
         <source>Layers from the stock, the last pass, or both</source>
-        <translation type="unfinished"></translation>
+        <translation>素材からの層、最後の仕上げ、または両方</translation>
     </message>
     <message>
         <source>Distance between lines</source>
-        <translation type="unfinished"></translation>
+        <translation>線の間隔</translation>
     </message>
     <message>
         <source>Distance between layers</source>
-        <translation type="unfinished"></translation>
+        <translation>層の間隔</translation>
     </message>
     <message>
         <source>The last pass&apos;s; 0: as the others&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>最後の仕上げの値; 0: 他と同じ</translation>
     </message>
     <message>
         <source>Left by roughing for the last pass</source>
-        <translation type="unfinished"></translation>
+        <translation>荒削りが仕上げに残す量</translation>
     </message>
     <message>
         <source>Of the path from the model</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルからの経路の許容差</translation>
     </message>
     <message>
         <source>What is taken from the voxel model</source>
-        <translation type="unfinished"></translation>
+        <translation>ボクセルモデルから取るもの</translation>
     </message>
     <message>
         <source>Side of a voxel</source>
-        <translation type="unfinished"></translation>
+        <translation>ボクセルの一辺</translation>
     </message>
     <message>
         <source>Feed at the product&apos;s surface, V_Lo</source>
-        <translation type="unfinished"></translation>
+        <translation>製品表面での送り V_Lo</translation>
     </message>
     <message>
         <source>Feed at the skin of the stock, V_Hi</source>
-        <translation type="unfinished"></translation>
+        <translation>素材表面での送り V_Hi</translation>
     </message>
     <message>
         <source>Feed where nothing is left to cut; 0: as elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>削るもののない所の送り; 0: 他と同じ</translation>
     </message>
     <message>
         <source>Moves that go down steeply never get faster</source>
-        <translation type="unfinished"></translation>
+        <translation>急に下る移動は速くしない</translation>
     </message>
     <message>
         <source>Other materials in the stock: &apos;name factor where&apos;, a factor on the feed, and a depth in mm below the stock&apos;s surface or the name of a solid</source>
-        <translation type="unfinished"></translation>
+        <translation>素材内の他の材料: &apos;名前 係数 場所&apos;、送りの係数と、素材表面からの深さ (mm) またはソリッドの名前</translation>
     </message>
     <message>
         <source>Whether the values at the skin of the stock are held, or are only where diffusion begins</source>
-        <translation type="unfinished"></translation>
+        <translation>素材表面の値を保つか、拡散の初期値とするだけか</translation>
     </message>
     <message>
         <source>Of the feed: to its steady state, or for a time as in the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>送りの拡散: 定常状態まで、または論文のように一定時間</translation>
     </message>
     <message>
         <source>Of a transient diffusion, in seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>非定常拡散の時間 (秒)</translation>
     </message>
     <message>
         <source>Of a transient diffusion, in mm^2/s</source>
-        <translation type="unfinished"></translation>
+        <translation>非定常拡散の係数 (mm^2/s)</translation>
     </message>
     <message>
         <source>Divide a time step that is too long for the voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>ボクセルに対して長すぎる時間刻みを分ける</translation>
     </message>
     <message>
         <source>Diffuse the two angles (as in the paper) or the unit vector of the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>二つの角 (論文のとおり) または軸の単位ベクトルを拡散する</translation>
     </message>
     <message>
         <source>Greatest angle of the posture about X and about Y</source>
-        <translation type="unfinished"></translation>
+        <translation>姿勢のXまわりとYまわりの最大角</translation>
     </message>
     <message>
         <source>Interpolate between voxels, or take each voxel&apos;s value (the paper&apos;s staircase)</source>
-        <translation type="unfinished"></translation>
+        <translation>ボクセル間を補間する、または各ボクセルの値を取る (論文の階段)</translation>
     </message>
     <message>
         <source>Where the voxels are read</source>
-        <translation type="unfinished"></translation>
+        <translation>ボクセルを読む位置</translation>
     </message>
     <message>
         <source>Of a move&apos;s feed from the field&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>移動の送りと場の送りの許容差</translation>
     </message>
     <message>
         <source>Of the axis along a move</source>
-        <translation type="unfinished"></translation>
+        <translation>移動に沿う軸の許容差</translation>
     </message>
     <message>
         <source>Name of the machine file; empty: no limits</source>
-        <translation type="unfinished"></translation>
+        <translation>機械ファイルの名前; 空: 制限なし</translation>
     </message>
     <message>
         <source>Frusta of shank and holder: &apos;from to diameter diameter&apos;, heights above the tip in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>シャンクとホルダーの円錐台: &apos;下 上 直径 直径&apos;、先端からの高さ (mm)</translation>
     </message>
     <message>
         <source>That is kept between holder and part</source>
-        <translation type="unfinished"></translation>
+        <translation>ホルダーと部品の間に保つ距離</translation>
     </message>
     <message>
         <source>Of the triangles that stand for the shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>形状を表す三角形の許容差</translation>
     </message>
     <message>
         <source>For the voxel model and its fields, in MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>ボクセルモデルと場のためのメモリー (MiB)</translation>
     </message>
     <message>
         <source>Dimples that are milled</source>
-        <translation type="unfinished"></translation>
+        <translation>削られるくぼみ</translation>
     </message>
     <message>
         <source>Lattice points left out, by reason</source>
-        <translation type="unfinished"></translation>
+        <translation>除かれた格子点 (理由別)</translation>
     </message>
     <message>
         <source>Mean spindle turns from dimple to dimple</source>
-        <translation type="unfinished"></translation>
+        <translation>くぼみからくぼみまでの平均スピンドル回転数</translation>
     </message>
     <message>
         <source>Whether the machine can hold the phase</source>
-        <translation type="unfinished"></translation>
+        <translation>機械が位相を保てるか</translation>
     </message>
     <message>
         <source>Distance of neighbouring dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>隣り合うくぼみの間隔</translation>
     </message>
     <message>
         <source>Depth of the dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>くぼみの深さ</translation>
     </message>
     <message>
         <source>Diameter of a dimple&apos;s rim</source>
-        <translation type="unfinished"></translation>
+        <translation>くぼみの縁の直径</translation>
     </message>
     <message>
         <source>Share of the faces that is dimple, 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>くぼみが占める面の割合、0〜1</translation>
     </message>
     <message>
         <source>Height of what stays between dimples</source>
-        <translation type="unfinished"></translation>
+        <translation>くぼみの間に残る高さ</translation>
     </message>
     <message>
         <source>Tilt below which the tip rubs in a dimple</source>
-        <translation type="unfinished"></translation>
+        <translation>くぼみで先端がこする限界の傾き</translation>
     </message>
     <message>
         <source>Milled dimples in which the tip rubs</source>
-        <translation type="unfinished"></translation>
+        <translation>先端がこする加工済みのくぼみ</translation>
     </message>
     <message>
         <source>Least distance of any two dimples, straight in space</source>
-        <translation type="unfinished"></translation>
+        <translation>任意の二つのくぼみの最小直線距離</translation>
     </message>
     <message>
         <source>Greatest distance of neighbours, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>隣同士の最大距離 (測定)</translation>
     </message>
     <message>
         <source>Root mean square of distance / spacing - 1</source>
-        <translation type="unfinished"></translation>
+        <translation>距離 / 間隔 - 1 の二乗平均平方根</translation>
     </message>
     <message>
         <source>Least angle of lattice directions, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>格子方向の最小角 (測定)</translation>
     </message>
     <message>
         <source>Greatest angle of lattice directions, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>格子方向の最大角 (測定)</translation>
     </message>
     <message>
         <source>Milled dimples, each worth a cell of the lattice, over the faces&apos; area; 0: not known</source>
-        <translation type="unfinished"></translation>
+        <translation>加工されるくぼみ (一つを格子の一目と数える) と面の面積の比; 0: 不明</translation>
     </message>
     <message>
         <source>What was decided for you, and what is not covered</source>
-        <translation type="unfinished"></translation>
+        <translation>自動で決めたことと、覆われない所</translation>
     </message>
     <message>
         <source>Direction of the projection</source>
-        <translation type="unfinished"></translation>
+        <translation>投影の方向</translation>
     </message>
     <message>
         <source>How marks of neighbouring passes stand</source>
-        <translation type="unfinished"></translation>
+        <translation>隣り合う経路の痕の並び方</translation>
     </message>
     <message>
         <source>Predicted drift from pass to pass, in teeth</source>
-        <translation type="unfinished"></translation>
+        <translation>経路ごとの予測ずれ (刃数)</translation>
     </message>
     <message>
         <source>The same, measured on the path</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ、経路上で測定</translation>
     </message>
     <message>
         <source>Largest difference of the phase measured on the path and predicted, in teeth</source>
-        <translation type="unfinished"></translation>
+        <translation>経路上で測った位相と予測の最大差 (刃数)</translation>
     </message>
     <message>
         <source>Of the path</source>
-        <translation type="unfinished"></translation>
+        <translation>経路の長さ</translation>
     </message>
     <message>
         <source>Ridge between lines on a flat, in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>平面上の線間の尾根 (mm)</translation>
     </message>
     <message>
         <source>Lines left out: in a cavity, not reached from above</source>
-        <translation type="unfinished"></translation>
+        <translation>除かれた線: 空洞内で上から届かない</translation>
     </message>
     <message>
         <source>Timed moves</source>
-        <translation type="unfinished"></translation>
+        <translation>時間を定めた移動</translation>
     </message>
     <message>
         <source>The base operation&apos;s, in seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>元の加工の時間 (秒)</translation>
     </message>
     <message>
         <source>Between moves that go straight on, in mm/min</source>
-        <translation type="unfinished"></translation>
+        <translation>直進する移動の間の差 (mm/min)</translation>
     </message>
     <message>
         <source>Within a move, in degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>一つの移動の中の角度 (度)</translation>
     </message>
     <message>
         <source>That are stored</source>
-        <translation type="unfinished"></translation>
+        <translation>保存されている数</translation>
     </message>
     <message>
         <source>Places where no axis keeps the holder clear</source>
-        <translation type="unfinished"></translation>
+        <translation>どの軸でもホルダーが当たる所</translation>
     </message>
     <message>
         <source>Stock and model of the job: recomputed when they change</source>
@@ -557,35 +557,35 @@
     </message>
     <message>
         <source>Number of the patch, in milling order, with which the program ends; 0: with the last one</source>
-        <translation type="unfinished"></translation>
+        <translation>プログラムを終えるパッチの加工順の番号; 0: 最後のパッチ</translation>
     </message>
     <message>
         <source>Stop before each patch if the operator has switched optional stops on (M1)</source>
-        <translation type="unfinished"></translation>
+        <translation>オプショナルストップが有効なら各パッチの前で止まる (M1)</translation>
     </message>
     <message>
         <source>Cutting end and flutes may cut so deep below the model, besides Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>先端と刃がモデルの下へ切り込んでよい深さ (許容差を除く)</translation>
     </message>
     <message>
         <source>Cutting end and flutes may cut so deep below the model, besides the tolerance of copy milling under it</source>
-        <translation type="unfinished"></translation>
+        <translation>先端と刃がモデルの下へ切り込んでよい深さ (元の倣い加工の許容差を除く)</translation>
     </message>
     <message>
         <source>Time of all moves, rapids too, in seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>早送りを含む全移動の時間 (秒)</translation>
     </message>
     <message>
         <source>Tool controller of the operation that is modified</source>
-        <translation type="unfinished"></translation>
+        <translation>修飾される加工の工具コントローラー</translation>
     </message>
     <message>
         <source>Time that FreeCAD counts for the job</source>
-        <translation type="unfinished"></translation>
+        <translation>FreeCADがジョブについて数える時間</translation>
     </message>
     <message>
         <source>Whether the operation that is modified is switched on</source>
-        <translation type="unfinished"></translation>
+        <translation>修飾される加工が有効かどうか</translation>
     </message>
 </context>
 <context>
@@ -2079,6 +2079,10 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     <message>
         <source>counted from</source>
         <translation>数え始め</translation>
+    </message>
+    <message>
+        <source>{}, borders not as good</source>
+        <translation>{}、縁はやや劣る</translation>
     </message>
 </context>
 <context>
