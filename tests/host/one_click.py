@@ -52,12 +52,14 @@ def state_of(operation, count=3):
 def whole_quality(operation, most_area=1500.0):
     """Quality of a texture as its machine's model runs it, borders of patches and links included, but for the
     outermost rows: along them the tip leaves marks that no neighbour takes away. Of a square in its middle
-    where its plane is larger than so many mm². NaN where there is no plan."""
+    where its plane is larger than so many mm². NaN where there is no plan, or nothing but outermost rows."""
     plan = operation.Proxy.planned
     if plan is None:
         return math.nan
     places = plan.places()[plan.dimples.states == 0]
     low, high = places.min(axis=0) + plan.input.spacing, places.max(axis=0) - plan.input.spacing
+    if (high <= low).any():
+        return math.nan
     if (high - low).prod() > most_area:
         middle, half = 0.5 * (low + high), 0.5 * math.sqrt(most_area)
         low, high = middle - half, middle + half

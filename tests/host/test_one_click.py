@@ -17,7 +17,9 @@ import other_parts  # noqa: E402
 import patchmill  # noqa: E402
 import quality_parts  # noqa: E402
 from patchmill.advice import assessment, choice, orientation, remedies  # noqa: E402
+from patchmill.advice.found import Assessment, PatchQuality  # noqa: E402
 from patchmill.machine import machines  # noqa: E402
+from patchmill.textures import strategies  # noqa: E402
 
 
 class OneClick(unittest.TestCase):
@@ -53,6 +55,38 @@ class OneClick(unittest.TestCase):
             self.assertEqual(state, "short")
             self.assertIn(one_click.fix(operation), kinds)
             self.assertEqual(one_click.state_of(operation)[0], "good", machine)
+
+    def test_a_small_flat_disc_gets_what_is_good_but_for_its_border(self):
+        """Of 168 dimples a tenth lie along the border, where the tip leaves more marks."""
+        shape = quality_parts.PARTS["cone 27"]()
+        operation = one_click.texture(shape, quality_parts.top_face(shape), "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        self.assertIsNone(one_click.state_of(operation)[1])
+        self.assertEqual(one_click.fix(operation), "incline")
+        _, found, _ = one_click.state_of(operation)
+        self.assertGreater(found.good_fraction, 0.95)
+        self.assertGreater(found.whole, 0.9)
+
+    def test_where_the_machine_locks_polygons_are_no_end_of_the_search(self):
+        shape = quality_parts.PARTS["flat plate"]()
+        operation = one_click.texture(shape, quality_parts.top_face(shape), "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        given = operation.Proxy.texture_input(operation)
+        good = Assessment(1000, 1.0, {}, [PatchQuality((0.0, 0.0, 0.0), 20.0, 1.0)])
+        slow, fast = ({"strategy": strategies.FITTED}, {"strategy": strategies.LOCKED})
+        tried = []
+
+        class Finder(remedies.Finder):
+            def _tries(self, *_):
+                def attempt(fields):
+                    tried.append(fields)
+                    return remedies.Remedy("incline", fields, good)
+
+                return [], [lambda fields=fields: attempt(fields) for fields in (slow, fast, fast)]
+
+        found = Finder(one_click.assess, one_click.choose).find(given)
+        self.assertEqual(tried, [slow, fast])
+        self.assertEqual([remedy.fields for remedy in found], [fast, slow])
 
     def test_without_a_remedy_nothing_is_offered_that_does_not_help(self):
         operation, state, found, _ = self.one("plate 20", "linuxcnc-mill")

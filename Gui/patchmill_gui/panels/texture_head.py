@@ -222,6 +222,8 @@ def remedy_text(remedy):
         what = translate("PatchMill", "{}, spacing {}").format(what, spacing.UserString)
     if "minimum_tilt" in fields and remedy.kind != "leave out":
         what = translate("PatchMill", "{}, leave out what is too flat").format(what)
+    if not found.borders_are_good:
+        what = translate("PatchMill", "{}, borders not as good").format(what)
     return translate("PatchMill", "{}: {:.0f} % good, {}").format(
         what, 100.0 * found.good_fraction, duration(found.seconds)
     )

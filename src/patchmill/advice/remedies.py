@@ -10,6 +10,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.advice import orientation
+from patchmill.advice.choice import POLYGONS
 from patchmill.advice.found import GOOD, Assessment
 from patchmill.machine import machines
 from patchmill.textures.plan import plan_texture
@@ -57,7 +58,8 @@ class Finder:
         for number, attempt in enumerate(first + last):
             if progress and not progress(number / len(first + last)):
                 return None
-            if sum(remedy.assessment.good for remedy in found) >= (ENOUGH if number < len(first) else 1):
+            enough = ENOUGH if number < len(first) else 1
+            if sum(remedy.assessment.good and not self._slow(remedy, given) for remedy in found) >= enough:
                 break
             try:
                 remedy = attempt()
@@ -65,11 +67,22 @@ class Finder:
                 continue
             if remedy is not None and _helps(remedy.assessment, now):
                 found.append(remedy)
-        return sorted(found, key=lambda r: (not r.assessment.good, -round(r.assessment.good_fraction, 2)))
+        return sorted(found, key=lambda remedy: self._rank(remedy, given))
+
+    def _rank(self, remedy, given):
+        found = remedy.assessment
+        return not found.good, self._slow(remedy, given), -round(found.good_fraction, 2)
+
+    @staticmethod
+    def _slow(remedy, given):
+        """Whether a remedy mills in polygons on a machine that can lock its path to the spindle: each dimple
+        then takes many times as long, and another inclination may let it lock."""
+        lock = bool(given.machine) and machines.load(given.machine).model.spindle_lock
+        return lock and remedy.fields.get("strategy", given.strategy) in POLYGONS
 
     def _tries(self, given, normals, areas):
         """Two lists of functions that make a Remedy or None: those that keep the dimples as they were asked
-        for, and those that are tried while none is good."""
+        for, and those that are tried while none is good and fast."""
         machine = machines.load(given.machine) if given.machine else None
         leanings = orientation.leanings(normals, areas)
         best, other = leanings[0], _apart(leanings)
@@ -96,13 +109,13 @@ class Finder:
         return first, last
 
     def _good_fraction(self, given):
-        """Of the texture as it is; 0 where it cannot be made or its borders are bad."""
+        """Of the texture as it is; 0 where its borders are bad, None where it cannot be made."""
         try:
             plan_texture(given)
             found = self.assess(given, 3, whole=True)
             return found.good_fraction if found.borders_are_good else 0.0
         except InputError:
-            return 0.0
+            return None
 
     def _chosen_for(self, given, kind, fields, axis=None, angle=0.0):
         """The Remedy with values that suit `given`, whose `fields` are new; what is too flat left out
@@ -170,7 +183,10 @@ def _flat_is_short(found):
 
 
 def _helps(found, now):
-    """Whether an Assessment is more than MIN_GAIN better than what is good `now`."""
+    """Whether an Assessment is more than MIN_GAIN better than what is good `now`; beside nothing at all
+    (None) a texture helps that is good but for its borders."""
+    if now is None:
+        return found.good_fraction > MIN_GAIN
     return found.borders_are_good and found.good_fraction > now + MIN_GAIN
 
 
