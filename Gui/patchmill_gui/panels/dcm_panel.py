@@ -39,7 +39,8 @@ class DcmPanel(Computing):
 
     def __init__(self, obj):
         self.obj = obj
-        self.scene = obj.ViewObject.Proxy.scene
+        self.view = obj.ViewObject.Proxy  # kept: Cancel may take the object away
+        self.scene = self.view.scene
         self.view_document = obj.ViewObject.Document
         self.legend = LegendPlace(obj)
         self.form = QtGui.QWidget()
@@ -189,7 +190,7 @@ class DcmPanel(Computing):
             self.scene.parts.switch(part, False)
 
     def _close(self):
-        self.obj.ViewObject.Proxy.panel = None
+        self.view.panel = None
         self.leave()
         FreeCADGui.Control.closeDialog()
         self.view_document.resetEdit()
