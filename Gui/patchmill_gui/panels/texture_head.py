@@ -147,17 +147,18 @@ class Head(QtGui.QFrame):
         self.deleteLater()
 
     def eventFilter(self, _, event):
-        if kind_of(event) in (QtCore.QEvent.Resize, QtCore.QEvent.LayoutRequest):
-            self._place()
+        kind = kind_of(event)
+        if kind in (QtCore.QEvent.Resize, QtCore.QEvent.LayoutRequest):
+            self._place(resized=kind == QtCore.QEvent.Resize)
         return False
 
-    def _place(self):
+    def _place(self, resized=False):
         if self._area is None:
             return
         area, m, bar = self._area, self._margins, self._area.verticalScrollBar()
         width, before = area.width(), area.viewportMargins().top() - m.top()
         height = max(self.layout().heightForWidth(width), self.layout().minimumSize().height())
-        rows_stay = self._settled and _has_the_hand(area)
+        rows_stay = self._settled and not resized and _is_typed_in(area)
         if rows_stay:
             height = max(height, before - bar.value())  # what cannot be scrolled back stays empty
         self.setGeometry(0, 0, width, height)
@@ -165,15 +166,14 @@ class Head(QtGui.QFrame):
         if height != before:
             seen = bar.value()
             area.setViewportMargins(m.left(), m.top() + height, m.right(), m.bottom())
-            _scroll_to(area, seen + height - before if rows_stay else seen)
+            _scroll_to(area, seen + height - before if rows_stay else 0 if resized else seen)
 
 
-def _has_the_hand(area):
-    """Whether the user is at work in a scroll area: the pointer is over it, or the keyboard's focus in it.
-    What is there then stays where it is on the screen, however the head's sentences come and go."""
+def _is_typed_in(area):
+    """Whether a field in a scroll area has the keyboard. It then stays where it is on the screen, however the
+    head's sentences come and go."""
     focus = QtGui.QApplication.focusWidget()
-    under = area.rect().contains(area.mapFromGlobal(QtGui.QCursor.pos()))
-    return under or (focus is not None and area.isAncestorOf(focus))
+    return isinstance(focus, (QtGui.QLineEdit, QtGui.QAbstractSpinBox)) and area.isAncestorOf(focus)
 
 
 def _scroll_to(area, value):
