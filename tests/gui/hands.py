@@ -89,10 +89,10 @@ def write(text):
 
 def enter(field, text, end="Return"):
     """As a user who clicks into a field, selects what is there, types and presses `end`, if that is a key;
-    who looks first whether the field has the keyboard, and whether it shows what was typed."""
+    who looks first whether the field has the keyboard."""
     line = field if isinstance(field, QtGui.QLineEdit) else field.findChild(QtGui.QLineEdit)
-    show(field)
     for _ in range(3):
+        show(field)
         click(field)
         if driver.wait(line.hasFocus, 2):
             break
@@ -101,7 +101,6 @@ def enter(field, text, end="Return"):
     press("ctrl+a")
     assert driver.wait(lambda: line.selectedText() == line.text(), 2), "%r is not selected" % line.text()
     write(text)
-    assert driver.wait(lambda: line.text() == text, 2), "%r is shown, %r was typed" % (line.text(), text)
     if end:
         press(end)
 

@@ -158,7 +158,7 @@ class Head(QtGui.QFrame):
         area, m, bar = self._area, self._margins, self._area.verticalScrollBar()
         width, before = area.width(), area.viewportMargins().top() - m.top()
         height = max(self.layout().heightForWidth(width), self.layout().minimumSize().height())
-        rows_stay = self._settled and not resized and _is_typed_in(area)
+        rows_stay = self._settled and not resized and _is_at_work_in(area)
         if rows_stay:
             height = max(height, before - bar.value())  # what cannot be scrolled back stays empty
         self.setGeometry(0, 0, width, height)
@@ -169,11 +169,13 @@ class Head(QtGui.QFrame):
             _scroll_to(area, seen + height - before if rows_stay else 0 if resized else seen)
 
 
-def _is_typed_in(area):
-    """Whether a field in a scroll area has the keyboard. It then stays where it is on the screen, however the
-    head's sentences come and go."""
-    focus = QtGui.QApplication.focusWidget()
-    return isinstance(focus, (QtGui.QLineEdit, QtGui.QAbstractSpinBox)) and area.isAncestorOf(focus)
+def _is_at_work_in(area):
+    """Whether a field in a scroll area has the keyboard, or the pointer. It then stays where it is on the
+    screen, however the head's sentences come and go."""
+    fields = (QtGui.QLineEdit, QtGui.QAbstractSpinBox, QtGui.QComboBox)
+    app = QtGui.QApplication
+    at_hand = (app.focusWidget(), app.widgetAt(QtGui.QCursor.pos()))
+    return any(isinstance(one, fields) and area.isAncestorOf(one) for one in at_hand)
 
 
 def _scroll_to(area, value):
