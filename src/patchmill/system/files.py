@@ -13,7 +13,6 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import contextlib
-import fcntl
 import os
 import re
 import secrets
@@ -21,6 +20,11 @@ import stat
 import time
 
 from _patchmill import InputError
+
+try:
+    import fcntl
+except ImportError:  # Windows, where no leftover can be told from a file that is being written
+    fcntl = None
 
 FOREIGN = re.compile(r"\.patchmill-[0-9a-f]{24}")
 OLD = 60.0  # seconds: a younger one may be about to be locked by who writes it
@@ -120,6 +124,8 @@ def _foreign_name(folder):
 
 def _lock(descriptor):
     """Marks a file as being written. False if somebody writes it, or if that cannot be known here."""
+    if fcntl is None:
+        return False
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
@@ -128,8 +134,12 @@ def _lock(descriptor):
 
 
 def _remove_leftovers(folder):
-    """Files of writers that were killed: nobody holds them."""
-    for name in os.listdir(folder):
+    """Files of writers that were killed: nobody holds them. A folder that cannot be listed keeps them."""
+    names: list[str] = []
+    if fcntl is not None:
+        with contextlib.suppress(OSError):
+            names = os.listdir(folder)
+    for name in names:
         if not FOREIGN.fullmatch(name):
             continue
         path = os.path.join(folder, name)
