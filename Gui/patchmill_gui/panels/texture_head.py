@@ -164,9 +164,9 @@ class Head(QtGui.QFrame):
         self.setGeometry(0, 0, width, height)
         self.raise_()
         if height != before:
-            seen = bar.value()
+            scrolled = bar.value() + height - before if rows_stay else 0 if resized else bar.value()
             area.setViewportMargins(m.left(), m.top() + height, m.right(), m.bottom())
-            _scroll_to(area, seen + height - before if rows_stay else 0 if resized else seen)
+            _scroll_to(area, scrolled)
 
 
 def _is_at_work_in(area):

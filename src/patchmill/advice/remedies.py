@@ -55,11 +55,16 @@ class Finder:
         now = self._good_fraction(given)
         first, last = self._tries(given, normals, areas)
         found: list[Remedy] = []
+        slow = self._slow_strategies(given)
+
+        def is_slow(remedy):
+            return remedy.fields.get("strategy", given.strategy) in slow
+
         for number, attempt in enumerate(first + last):
             if progress and not progress(number / len(first + last)):
                 return None
             enough = ENOUGH if number < len(first) else 1
-            if sum(remedy.assessment.good and not self._slow(remedy, given) for remedy in found) >= enough:
+            if sum(remedy.assessment.good and not is_slow(remedy) for remedy in found) >= enough:
                 break
             try:
                 remedy = attempt()
@@ -67,18 +72,17 @@ class Finder:
                 continue
             if remedy is not None and _helps(remedy.assessment, now):
                 found.append(remedy)
-        return sorted(found, key=lambda remedy: self._rank(remedy, given))
-
-    def _rank(self, remedy, given):
-        found = remedy.assessment
-        return not found.good, self._slow(remedy, given), -round(found.good_fraction, 2)
+        return sorted(
+            found,
+            key=lambda r: (not r.assessment.good, is_slow(r), -round(r.assessment.good_fraction, 2)),
+        )
 
     @staticmethod
-    def _slow(remedy, given):
-        """Whether a remedy mills in polygons on a machine that can lock its path to the spindle: each dimple
-        then takes many times as long, and another inclination may let it lock."""
+    def _slow_strategies(given):
+        """Strategies that end no search: polygons, on a machine that can lock its path to the spindle. Each
+        dimple takes many times as long there, and another inclination may let the path lock."""
         lock = bool(given.machine) and machines.load(given.machine).model.spindle_lock
-        return lock and remedy.fields.get("strategy", given.strategy) in POLYGONS
+        return POLYGONS if lock else ()
 
     def _tries(self, given, normals, areas):
         """Two lists of functions that make a Remedy or None: those that keep the dimples as they were asked

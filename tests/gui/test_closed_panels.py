@@ -1,0 +1,77 @@
+"""Nothing is left of a panel that was closed, however it was, and an undo while it computes raises nothing:
+what Python keeps of deleted widgets is taken for new ones at their addresses.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import gc
+import sys
+import traceback
+
+import driver
+import FreeCAD
+import FreeCADGui
+
+KINDS = ("TexturePanel", "CopyPanel", "DcmPanel", "PropertyForm", "Advising")
+
+
+class ClosedPanels(driver.unittest.TestCase):
+    def setUp(self):
+        self.told = []
+        before = sys.excepthook
+        self.addCleanup(lambda: setattr(sys, "excepthook", before))
+        sys.excepthook = lambda *error: self.told.append("".join(traceback.format_exception(*error)))
+        self.document, self.part = driver.new_document(driver.wavy_block(12.0, 8.0))
+        self.document.UndoMode = 1
+        self.addCleanup(self.close_documents)
+
+    def close_documents(self):
+        if driver.panel_open():
+            FreeCADGui.Control.closeDialog()
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+
+    def assertNothingLeft(self):
+        driver.rest(2.0)
+        gc.collect()
+        left = sorted(type(one).__name__ for one in gc.get_objects() if type(one).__name__ in KINDS)
+        self.assertEqual(left, [])
+        ours = [text for text in self.told if "patchmill" in text.lower()]
+        self.assertEqual(ours, [])
+        self.assertFalse(driver.panel_open())
+
+    def test_of_a_texture(self):
+        _, panel = driver.begin_texture(self.part)
+        panel.reject()
+        del panel
+        self.assertNothingLeft()
+        _, panel = driver.begin_texture(self.part, "PatchMill_PlanarTexture")
+        driver.accept(panel)
+        del panel
+        self.assertNothingLeft()
+
+    def test_of_a_texture_undone_while_it_computes(self):
+        _, panel = driver.begin_texture(self.part)
+        panel.accept()
+        del panel
+        FreeCADGui.runCommand("Std_Undo")
+        self.assertNothingLeft()
+
+    def test_of_a_texture_whose_document_is_closed(self):
+        driver.begin_texture(self.part)
+        FreeCAD.closeDocument(self.document.Name)
+        self.assertNothingLeft()
+
+    def test_of_copy_milling_and_its_modifier(self):
+        driver.run_on(self.part, "PatchMill_CopyMilling")
+        operation = self.document.getObject("CopyMilling")
+        driver.accept(driver.panel_of(operation))
+        self.assertNothingLeft()
+        driver.run_on(operation, "PatchMill_DressupDcm")
+        self.document.getObject("DressupDCM").ViewObject.Proxy.panel.accept()
+        FreeCADGui.runCommand("Std_Undo")
+        self.assertNothingLeft()
+
+
+def main():
+    return driver.run_tests(ClosedPanels)
