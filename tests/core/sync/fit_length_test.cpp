@@ -1,5 +1,5 @@
 // The corner that fits a length best, against the plain search of fit_length.h: every grid point near the ideal one, then
-// one step to the side after the other, each by its length.
+// one step to the side after the other, each by its length; and corners found ahead against it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/sync/fit_length.h"
 
@@ -81,6 +81,69 @@ RC_GTEST_PROP(FitLength, FindsWhatThePlainSearchFinds, (unsigned seed)) {
       RC_ASSERT(found == plain.search(ideal, decimals, 2e-5));
     }
   }
+}
+
+constexpr double kGood = 2e-5;  // mm
+
+// A step of a texture: of half a millimetre over a corner a millimetre high.
+struct Texture {
+  std::mt19937 engine;
+  Vec3 a, b, up;
+  double length = 0.0;
+
+  double draw(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  }
+  void next(const Decimals& decimals) {
+    a = decimals.round(Vec3(draw(-900, 900), draw(-900, 900), draw(-5, 5)));
+    const double way = draw(0.0, 2.0 * kPi);
+    b = decimals.round(Vec3(a + Vec3(0.5 * std::cos(way), 0.5 * std::sin(way), draw(-0.3, 0.3))));
+    up = Vec3(draw(-0.7, 0.7), draw(-0.7, 0.7), 1.0);
+    length = draw(0.7, 2.5);
+  }
+};
+
+// What is found ahead for lengths about `length`.
+CornerAhead ahead_of(const Texture& t, const Decimals& decimals) {
+  return {t.a,
+          t.b,
+          apex(t.a, t.b, t.up, t.length - kGood),
+          apex(t.a, t.b, t.up, t.length + kGood),
+          t.length,
+          decimals,
+          kGood};
+}
+
+RC_GTEST_PROP(CornerAhead, IsThatOfTheSearchForAnyLength, (unsigned seed)) {
+  Texture texture{std::mt19937(seed), {}, {}, {}};
+  for (int count : {1, 2, 3, 3, 3, 3, 4, 4, 5}) {
+    const Decimals decimals(count);
+    for (int k = 0; k < 20; ++k) {
+      texture.next(decimals);
+      const auto& [engine, a, b, up, about] = texture;
+      const CornerAhead ahead = ahead_of(texture, decimals);
+      RC_ASSERT(!ahead.holds_for(about - 1.01 * kGood));
+      RC_ASSERT(!ahead.holds_for(about + 1.01 * kGood));
+      for (int i = 0; i < 20; ++i) {
+        const double length = about + texture.draw(-kGood, kGood);
+        if (ahead.holds_for(length))
+          RC_ASSERT(ahead.fit(length, decimals) ==
+                    fit_corner(a, apex(a, b, up, length), b, length, decimals, kGood));
+      }
+    }
+  }
+}
+
+TEST(CornerAhead, NearlyAlwaysHoldsOnThreeDecimals) {
+  const Decimals decimals(3);
+  Texture texture{std::mt19937(1), {}, {}, {}};
+  int holds = 0;
+  constexpr int kSteps = 5000;
+  for (int k = 0; k < kSteps; ++k) {
+    texture.next(decimals);
+    holds += ahead_of(texture, decimals).holds_for(texture.length);
+  }
+  EXPECT_GT(holds, 0.9 * kSteps);
 }
 
 }  // namespace

@@ -26,6 +26,25 @@ void require_valid(const ConstantFeed& rule, const Tool& tool, const Spindle& sp
   require_heights(rule.safe_height, rule.clearance_height);
 }
 
+// Does what can be done ahead for the corners of a batch's steps.
+void look_ahead(PlannedBatch& batch, double turns_per_mm, const Decimals& decimals) {
+  batch.corners.reserve(batch.planned.size());
+  const PlannedDimple* a = batch.before ? &*batch.before : nullptr;
+  for (std::size_t i = 0; i < batch.planned.size(); ++i) {
+    const PlannedDimple& b = batch.planned[i];
+    const double length = batch.turns[i] / turns_per_mm;
+    if (a && follows(*a, b) && length - kGoodFit > (b.tip - a->tip).norm()) {
+      const Vec3 up = a->normal + b.normal;
+      batch.corners.emplace_back(a->tip, b.tip, apex(a->tip, b.tip, up, length - kGoodFit),
+                                 apex(a->tip, b.tip, up, length + kGoodFit), length, decimals,
+                                 kGoodFit);
+    } else {
+      batch.corners.emplace_back();
+    }
+    a = &b;
+  }
+}
+
 // The path as it grows: each step makes up for the rounding of those before it, so they are made one by one.
 class Polygons {
  public:
@@ -45,7 +64,7 @@ class Polygons {
       if (!begun_)
         build_.begin(b.tip, b.number, rule_.clearance_height, decimals_);
       else if (follows(last_, b))
-        step(last_, b, batch.turns[i]);
+        step(last_, b, batch, i);
       else
         build_.link(b.tip, b.number, batch.turns[i], period_, decimals_);
       begun_ = true;
@@ -55,8 +74,12 @@ class Polygons {
   void end() { build_.end(rule_.clearance_height, decimals_); }
 
  private:
-  void step(const PlannedDimple& a, const PlannedDimple& b, double turns) {
-    const double length = build_.length_for(turns), distance = (b.tip - a.tip).norm();
+  void step(const PlannedDimple& a, const PlannedDimple& b, const PlannedBatch& batch,
+            std::size_t i) {
+    const double turns = batch.turns[i], length = build_.length_for(turns);
+    if (batch.corners[i].holds_for(length))
+      return go(turns, batch.corners[i].fit(length, decimals_), b);
+    const double distance = (b.tip - a.tip).norm();
     if (length < distance)
       throw InputError(
           "Feed", fmt::format("{:.3f} mm/min", feed_ * 60.0),
@@ -65,8 +88,11 @@ class Polygons {
               "least {:.3f} mm/min, or more extra turns.",
               turns, turns / turns_per_mm_, b.number, distance, 60.0 * feed_ * distance / length));
     const Vec3 ideal = apex(a.tip, b.tip, a.normal + b.normal, length);
+    go(turns, fit_corner(a.tip, ideal, b.tip, length, decimals_, kGoodFit), b);
+  }
+  void go(double turns, const Vec3& corner, const PlannedDimple& b) {
     build_.require_turns(turns);
-    build_.timed(fit_corner(a.tip, ideal, b.tip, length, decimals_, kGoodFit), MoveKind::Cut);
+    build_.timed(corner, MoveKind::Cut);
     build_.timed(b.tip, MoveKind::Cut, b.number);
   }
 
@@ -108,8 +134,10 @@ ToolPath constant_feed_path(const patch::Dimples& dimples, const Tool& tool, con
   ToolPath path{tool, spindle, {}, {}};
   path.moves.reserve(2 * extent.dimples + extent.gaps + 16);  // a link has three moves, others two
   Polygons polygons(path, rule, spindle.speed / feed, feed, decimals);
-  in_batches(dimples, tool, spindle, rule.phase, decimals,
-             [&](const PlannedBatch& batch) { polygons.add(batch); });
+  in_batches(
+      dimples, tool, spindle, rule.phase, decimals,
+      [&](PlannedBatch& batch) { look_ahead(batch, spindle.speed / feed, decimals); },
+      [&](const PlannedBatch& batch) { polygons.add(batch); });
   polygons.end();
   return path;
 }

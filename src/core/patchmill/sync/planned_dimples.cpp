@@ -18,7 +18,7 @@ namespace patchmill::sync {
 
 namespace {
 
-constexpr std::size_t kBatch = 4096;  // dimples
+constexpr std::size_t kBatch = 1024;  // dimples: few enough to stay in the cache
 constexpr std::size_t kUnderWay = 8;  // batches
 
 Vec3 tip_of(const patch::Dimple& dimple, double radius, const Decimals& decimals) {
@@ -46,10 +46,15 @@ struct Work {
 
 void plan(const patch::Dimples& dimples, const Range& range, const Tool& tool,
           const Spindle& spindle, const PhaseRule& rule, const Decimals& decimals, Work& work) {
+  work.batch.planned.reserve(range.size());
+  work.batch.turns.reserve(range.size());
   std::size_t before = range.begin();
   while (before > 0 && !is_cut(dimples[before - 1])) --before;
   Angle last;
-  if (before > 0) last = contact_azimuth(dimples, before - 1, rule);
+  if (before > 0) {
+    work.batch.before = planned_dimple(dimples, before - 1, tool.radius, rule, decimals);
+    last = work.batch.before->azimuth;
+  }
   for (std::size_t k = range.begin(); k < range.end(); ++k) {
     if (!is_cut(dimples[k])) continue;
     work.batch.planned.push_back(planned_dimple(dimples, k, tool.radius, rule, decimals));
@@ -72,6 +77,7 @@ std::vector<PlannedDimple> planned_dimples(const patch::Dimples& dimples, double
 
 void in_batches(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
                 const PhaseRule& rule, const Decimals& decimals,
+                const std::function<void(PlannedBatch&)>& prepare,
                 const std::function<void(const PlannedBatch&)>& take) {
   std::size_t next = 0;
   const auto ranges = [&](tbb::flow_control& flow) {
@@ -84,6 +90,7 @@ void in_batches(const patch::Dimples& dimples, const Tool& tool, const Spindle& 
     auto work = std::make_shared<Work>();
     try {
       plan(dimples, range, tool, spindle, rule, decimals, *work);
+      prepare(work->batch);
     } catch (const InputError&) {
       work->trouble = std::current_exception();
     }

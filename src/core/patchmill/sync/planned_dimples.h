@@ -5,10 +5,12 @@
 #pragma once
 
 #include "patchmill/path/rounding.h"
+#include "patchmill/sync/fit_length.h"
 #include "patchmill/sync/phase_rule.h"
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace patchmill::sync {
@@ -31,12 +33,16 @@ std::vector<PlannedDimple> planned_dimples(const patch::Dimples& dimples, double
 struct PlannedBatch {
   std::vector<PlannedDimple> planned;
   std::vector<double> turns;
+  std::optional<PlannedDimple> before;  ///< the first one
+  std::vector<CornerAhead> corners;     ///< for who prepares the batch
 };
 
-/// Plans all Cut dimples batch after batch on as many threads as there are, and hands the batches to `take` in their
-/// order, one at a time; so memory is that of a few batches. Errors: as planned_dimples, and what `take` throws.
+/// Plans all Cut dimples batch after batch on as many threads as there are, has each batch prepared there, and hands
+/// the batches to `take` in their order, one at a time; so memory is that of a few batches. Errors: as planned_dimples,
+/// and what `take` throws; `prepare` must not throw.
 void in_batches(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
                 const PhaseRule& rule, const Decimals& decimals,
+                const std::function<void(PlannedBatch&)>& prepare,
                 const std::function<void(const PlannedBatch&)>& take);
 
 /// What a path over all Cut dimples will be like.
