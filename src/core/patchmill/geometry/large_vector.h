@@ -15,6 +15,10 @@ namespace patchmill {
 /// Asks the system for large pages under memory that was not yet touched; where there are none nothing changes.
 void use_large_pages(const void* begin, std::size_t bytes);
 
+/// The same, and has the system make those pages at once, on all threads: for memory that one thread will fill. Most of
+/// the time that it takes to write a few hundred megabytes for the first time is the system's.
+void make_large_pages(const void* begin, std::size_t bytes);
+
 /// Makes `values` the `count` values of `value(i)`, i = 0, 1, ... . Throws Stopped like a parallel loop.
 template <class T, class Value>
 void fill_large(std::vector<T>& values, std::size_t count, const Value& value) {

@@ -3,6 +3,7 @@
 #include "patchmill/patch/division.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/large_vector.h"
 
 #include <cmath>
 
@@ -75,6 +76,7 @@ Dimples lattice_points(const PatchDivision& d, std::int64_t max_dimples) {
   const Helices helices = helices_of(d);
   Dimples dimples;
   dimples.reserve(static_cast<std::size_t>(count));
+  make_large_pages(dimples.data(), dimples.capacity() * sizeof(Dimple));
   std::int32_t patch = 0;
   for (const PatchCell& cell : d.cells) {
     const LatticePoint origin = cell_origin(d.pattern, cell);

@@ -3,6 +3,7 @@
 #include "patchmill/patch/row_order.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/large_vector.h"
 #include "patchmill/geometry/stop.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_sort.h>
 
 namespace patchmill::patch {
@@ -49,39 +51,90 @@ void go_to_and_fro(std::vector<Place>& places) {
   }
 }
 
-// Sorts places of one patch: lines are numbers without gaps, but for holes, so that each place can be put to its line
-// at once; what is left to sort is each line.
+// Sorts by a whole number and leaves equals in their order. Numbers without gaps, but for holes, are counted, so that
+// each place can be put where it belongs at once. False, and nothing done, where they are too sparse for that.
+template <class Number>
+bool sort_by_counting(Place* first, Place* last, const Number& number,
+                      std::vector<std::size_t>& begin) {
+  const auto less = [&](const Place& a, const Place& b) { return number(a) < number(b); };
+  const auto [least, most] = std::minmax_element(first, last, less);
+  const std::int64_t low = number(*least), span = number(*most) - low + 1;
+  if (span > kSparse * (last - first)) return false;
+  begin.assign(std::size_t(span) + 1, 0);
+  for (const Place* p = first; p != last; ++p) ++begin[std::size_t(number(*p) - low) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  std::vector<Place> sorted(static_cast<std::size_t>(last - first));
+  for (const Place* p = first; p != last; ++p) sorted[next[std::size_t(number(*p) - low)]++] = *p;
+  std::copy(sorted.begin(), sorted.end(), first);
+  return true;
+}
+
+// Sorts places of one patch, which come in the order of their indices: to their lines, then along each.
 void sort_by_line(std::vector<Place>& places) {
-  const auto [low, high] = std::minmax_element(
-      places.begin(), places.end(), [](const Place& a, const Place& b) { return a.line < b.line; });
-  const std::int64_t first = low->line, lines = high->line - first + 1;
-  if (lines > kSparse * std::int64_t(places.size())) {
+  std::vector<std::size_t> begin;
+  Place* const all = places.data();
+  if (!sort_by_counting(
+          all, all + places.size(), [](const Place& p) { return std::int64_t{p.line}; }, begin)) {
     tbb::parallel_sort(places.begin(), places.end());
     return;
   }
-  std::vector<std::size_t> begin(std::size_t(lines) + 1, 0);
-  for (const Place& place : places) ++begin[std::size_t(place.line - first) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  std::vector<Place> by_line(places.size());
-  for (const Place& place : places) by_line[next[std::size_t(place.line - first)]++] = place;
-  patchmill::parallel_for(std::size_t{0}, next.size(), [&](std::size_t line) {
-    std::sort(by_line.begin() + std::ptrdiff_t(begin[line]),
-              by_line.begin() + std::ptrdiff_t(begin[line + 1]));
+  patchmill::parallel_for(std::size_t{0}, begin.size() - 1, [&](std::size_t line) {
+    Place *const first = all + begin[line], *const last = all + begin[line + 1];
+    std::vector<std::size_t> slots;
+    const auto at = [](const Place& p) { return std::int64_t{p.at}; };
+    if (first != last && !sort_by_counting(first, last, at, slots)) std::sort(first, last);
   });
-  places = std::move(by_line);
+}
+
+// Sorted places of one patch: its rows become patches.
+void number_rows(std::vector<Place>& places) {
+  std::int32_t row = -1, line = 0;
+  for (Place& place : places) {
+    if (row < 0 || place.line != line) ++row;
+    line = place.line;
+    place.patch = row;
+  }
+}
+
+// How many dimples before each block of so many are to be cut, and last, how many of all.
+constexpr std::size_t kBlock = 1U << 14;
+std::vector<std::size_t> cut_before_blocks(const Dimples& dimples) {
+  std::vector<std::size_t> cut((dimples.size() + kBlock - 1) / kBlock + 1, 0);
+  patchmill::parallel_for(std::size_t{1}, cut.size(), [&](std::size_t b) {
+    const std::size_t last = std::min(dimples.size(), b * kBlock);
+    for (std::size_t k = (b - 1) * kBlock; k < last; ++k)
+      cut[b] += dimples[k].state == DimpleState::Cut;
+  });
+  std::partial_sum(cut.begin(), cut.end(), cut.begin());
+  return cut;
+}
+
+// visit(k, i, c) for each dimple k: it is the i-th of those that are to be cut (c), or the i-th of the others.
+template <class Visit>
+void each_by_state(const Dimples& dimples, const std::vector<std::size_t>& cut_before,
+                   const Visit& visit) {
+  patchmill::parallel_for(std::size_t{0}, cut_before.size() - 1, [&](std::size_t b) {
+    const std::size_t last = std::min(dimples.size(), (b + 1) * kBlock);
+    std::size_t cut = cut_before[b];
+    for (std::size_t k = b * kBlock; k < last; ++k) {
+      const bool is_cut = dimples[k].state == DimpleState::Cut;
+      visit(k, is_cut ? cut : k - cut, is_cut);
+      cut += is_cut;
+    }
+  });
 }
 
 // The dimples to be cut, sorted along and across the rows; patch by patch unless `whole`.
-std::vector<Place> sorted(const Dimples& dimples, const LatticePoint& step, bool whole) {
-  std::vector<Place> places;
-  places.reserve(dimples.size());
-  for (std::size_t k = 0; k < dimples.size(); ++k) {
-    if (dimples[k].state != DimpleState::Cut) continue;
-    places.push_back(place_of(dimples[k].lattice, step));
-    places.back().patch = whole ? 0 : dimples[k].patch;
-    places.back().index = static_cast<std::uint32_t>(k);
-  }
+std::vector<Place> sorted(const Dimples& dimples, const std::vector<std::size_t>& cut_before,
+                          const LatticePoint& step, bool whole) {
+  std::vector<Place> places(cut_before.back());
+  each_by_state(dimples, cut_before, [&](std::size_t k, std::size_t i, bool is_cut) {
+    if (!is_cut) return;
+    places[i] = place_of(dimples[k].lattice, step);
+    places[i].patch = whole ? 0 : dimples[k].patch;
+    places[i].index = static_cast<std::uint32_t>(k);
+  });
   if (whole && !places.empty())
     sort_by_line(places);
   else
@@ -97,19 +150,24 @@ Dimples in_rows(const Dimples& dimples, LatticeKind kind, const RowOrder& order)
     throw InputError("RowDirection", fmt::format("step {}", order.direction),
                      fmt::format("give one of the lattice's {} steps.", steps.size()));
   const bool whole = order.extent == RowExtent::WholeFace;
-  std::vector<Place> places = sorted(dimples, steps[order.direction], whole);
+  const std::vector<std::size_t> cut_before = cut_before_blocks(dimples);
+  std::vector<Place> places = sorted(dimples, cut_before, steps[order.direction], whole);
   if (!order.one_way) go_to_and_fro(places);
+  if (whole) number_rows(places);
   Dimples ordered;
   ordered.reserve(dimples.size());
-  std::int32_t row = -1, line = 0;
-  for (const Place& place : places) {
-    if (row < 0 || place.line != line) ++row;
-    line = place.line;
-    ordered.push_back(dimples[place.index]);
-    if (whole) ordered.back().patch = row;
-  }
-  for (const Dimple& dimple : dimples)
-    if (dimple.state != DimpleState::Cut) ordered.push_back(dimple);
+  make_large_pages(ordered.data(), dimples.size() * sizeof(Dimple));
+  ordered.resize(dimples.size());
+  patchmill::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), kBlock),
+                          [&](const tbb::blocked_range<std::size_t>& range) {
+                            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                              ordered[i] = dimples[places[i].index];
+                              if (whole) ordered[i].patch = places[i].patch;
+                            }
+                          });
+  each_by_state(dimples, cut_before, [&](std::size_t k, std::size_t i, bool is_cut) {
+    if (!is_cut) ordered[places.size() + i] = dimples[k];
+  });
   return ordered;
 }
 
@@ -128,10 +186,11 @@ std::size_t nearest_step(LatticeKind kind, const Vec2& direction) {
 
 std::size_t flattest_step(const Dimples& dimples, LatticeKind kind) {
   const auto& steps = neighbour_steps(kind);
+  const std::vector<std::size_t> cut_before = cut_before_blocks(dimples);
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const std::vector<Place> places = sorted(dimples, steps[i], true);
+    const std::vector<Place> places = sorted(dimples, cut_before, steps[i], true);
     double sum = 0.0;
     std::int64_t count = 0;
     for (std::size_t k = 1; k < places.size(); ++k) {

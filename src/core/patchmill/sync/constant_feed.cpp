@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/sync/constant_feed.h"
 
+#include "patchmill/geometry/large_vector.h"
 #include "patchmill/geometry/stop.h"
 #include "patchmill/sync/fit_length.h"
 #include "patchmill/sync/path_account.h"
@@ -133,6 +134,7 @@ ToolPath constant_feed_path(const patch::Dimples& dimples, const Tool& tool, con
 
   ToolPath path{tool, spindle, {}, {}};
   path.moves.reserve(2 * extent.dimples + extent.gaps + 16);  // a link has three moves, others two
+  make_large_pages(path.moves.data(), path.moves.capacity() * sizeof(Move));
   Polygons polygons(path, rule, spindle.speed / feed, feed, decimals);
   in_batches(
       dimples, tool, spindle, rule.phase, decimals,
