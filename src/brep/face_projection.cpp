@@ -119,7 +119,6 @@ FaceProjection::Outcome FaceProjection::newton(const Vec2& q, const Seed& seed, 
 }
 
 std::optional<Hit> FaceProjection::first_hit(const Vec2& q, Worker& worker) const {
-  stop_point();
   worker.seeds.clear();
   seeds_.seeds(q, worker.seeds);
   std::optional<Hit> first;
@@ -138,6 +137,7 @@ std::optional<Hit> FaceProjection::first_hit(const Vec2& q, Worker& worker) cons
 }
 
 std::optional<Hit> FaceProjection::ask_intersector(const Vec2& q, Worker& worker) const {
+  stop_point();
   ++fallbacks_;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!intersector_)

@@ -19,6 +19,7 @@ namespace patchmill {
 namespace {
 
 constexpr double kAnywhere = 1e9;  // mm, of a face that nobody knows where it is
+constexpr std::size_t kLook = 16;  // points between looks whether to stop
 
 [[noreturn]] void refuse(std::size_t face, const Standard_Failure& reason) {
   throw InputError("Base", fmt::format("face {}", face + 1),
@@ -66,7 +67,7 @@ std::vector<patch::SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& p
     if (stop) return;
     std::unordered_map<std::int32_t, FaceProjection::Worker> workers;  // of the faces that are met
     for (std::size_t i = part.begin(); i < part.end(); ++i) {
-      stop_point();
+      if (i % kLook == 0) stop_point();
       const std::optional<Hit> first = first_hit(points[i], workers);
       if (first) samples[i] = {first->point, state_of(first->point.normal)};
     }
