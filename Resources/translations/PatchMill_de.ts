@@ -587,6 +587,10 @@
         <source>Whether the operation that is modified is switched on</source>
         <translation>Ob die Operation, die geändert wird, eingeschaltet ist</translation>
     </message>
+    <message>
+        <source>Name of the machine file, whose rapids and accelerations the time counts; empty: unknown</source>
+        <translation>Name der Maschinendatei, deren Eilgänge und Beschleunigungen in die Zeit eingehen; leer: unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>PatchMill</name>
@@ -1723,10 +1727,6 @@
         <translation>keine Textur</translation>
     </message>
     <message>
-        <source>{} for textures</source>
-        <translation>{} für Texturen</translation>
-    </message>
-    <message>
         <source>Choose the program&apos;s file</source>
         <translation>Datei des Programms wählen</translation>
     </message>
@@ -2083,6 +2083,10 @@ Spindel {:.0f}°</translation>
     <message>
         <source>{}, borders not as good</source>
         <translation>{}, Ränder weniger gut</translation>
+    </message>
+    <message>
+        <source>{} for PatchMill&apos;s operations</source>
+        <translation>{} für die Operationen von PatchMill</translation>
     </message>
 </context>
 <context>

@@ -587,6 +587,10 @@
         <source>Whether the operation that is modified is switched on</source>
         <translation>修飾される加工が有効かどうか</translation>
     </message>
+    <message>
+        <source>Name of the machine file, whose rapids and accelerations the time counts; empty: unknown</source>
+        <translation>機械ファイルの名前。その早送りと加速度が時間に算入されます。空欄: 不明</translation>
+    </message>
 </context>
 <context>
     <name>PatchMill</name>
@@ -1723,10 +1727,6 @@
         <translation>テクスチャなし</translation>
     </message>
     <message>
-        <source>{} for textures</source>
-        <translation>テクスチャに {}</translation>
-    </message>
-    <message>
         <source>Choose the program&apos;s file</source>
         <translation>プログラムのファイルを選択</translation>
     </message>
@@ -2083,6 +2083,10 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     <message>
         <source>{}, borders not as good</source>
         <translation>{}、縁はやや劣る</translation>
+    </message>
+    <message>
+        <source>{} for PatchMill&apos;s operations</source>
+        <translation>PatchMill の操作に {}</translation>
     </message>
 </context>
 <context>

@@ -218,6 +218,7 @@ QT_TRANSLATE_NOOP("PatchMill", "Allowance");
 QT_TRANSLATE_NOOP("App::Property", "Left by roughing for the last pass");
 QT_TRANSLATE_NOOP("PatchMill", "Tolerance");
 QT_TRANSLATE_NOOP("App::Property", "Of the path from the model");
+QT_TRANSLATE_NOOP("App::Property", "Name of the machine file, whose rapids and accelerations the time counts; empty: unknown");
 QT_TRANSLATE_NOOP("App::Property", "Cutting end and flutes may cut so deep below the model, besides Tolerance");
 QT_TRANSLATE_NOOP("PatchMill", "Controls");
 QT_TRANSLATE_NOOP("PatchMill", "DCM");

@@ -35,7 +35,8 @@ from test_axis_field import textured_job
 
 def simulated(key, **rotary):
     data = dict(machines.load(key).data)
-    data["linear_axes"] = dict(data["linear_axes"], acceleration_mm_s2=2000.0, velocity_mm_s=100.0)
+    limits = dict(acceleration_mm_s2=%(acceleration)r, velocity_mm_s=%(velocity)r)
+    data["linear_axes"] = dict(data["linear_axes"], **limits)
     if rotary:
         data["rotary_axes"] = [dict(axis, **rotary) for axis in data["rotary_axes"]]
     json.dump(data, open(os.path.join(%(folder)r, "simulated.json"), "w"))
@@ -70,13 +71,21 @@ def copy():
     op.RadialDepth = op.AxialDepth = 4.0
     return job, op
 
-job, op = {"locked": locked, "five axes": five_axes, "copy": copy}[%(case)r]()
+def on_machine():
+    simulated("linuxcnc-mill")
+    job, op = copy()
+    op.Machine, op.Mode = "simulated", "Contour"
+    op.ToolController.HorizFeed = op.ToolController.VertFeed = "1500 mm/min"
+    return job, op
+
+makers = {"locked": locked, "five axes": five_axes, "copy": copy, "copy on its machine": on_machine}
+job, op = makers[%(case)r]()
 patchmill.recompute(op)
 patchmill.post(job, %(folder)r + "/x.ngc", "patchmill_linuxcnc", "--precision=4")
 text = open(%(folder)r + "/x.ngc").read()
 sections = core.read_gcode(text, core.BallEndMill(1.0, 2), "linuxcnc", rotary=True)
 section = max(sections, key=lambda s: len(s.lines))
-path = op.Proxy.path if %(case)r == "copy" else op.Proxy.planned.path
+path = op.Proxy.path if %(case)r.startswith("copy") else op.Proxy.planned.path
 lines = list(section.lines)[-len(path):]
 if tuple(path.tips[0]) == tuple(path.start):  # the way there is no move of the path
     lines = lines[1:]
@@ -88,10 +97,11 @@ json.dump(found, open(%(folder)r + "/x.json", "w"))
 
 class MachiningTime(unittest.TestCase):
     @load.told_from_load
-    def check(self, case, **machine):
+    def check(self, case, acceleration=LIMITS["acceleration"], **machine):
+        limits = dict(LIMITS, acceleration=acceleration)
         with tempfile.TemporaryDirectory(prefix="patchmill-time-") as folder:
             script = Path(folder) / "post.py"
-            values = {"tests": str(ROOT / "tests" / "host"), "folder": folder, "case": case}
+            values = {"tests": str(ROOT / "tests" / "host"), "folder": folder, "case": case} | limits
             script.write_text(SCRIPT % values)
             done = subprocess.run(
                 [str(ROOT / "tools" / "freecad"), str(script)], capture_output=True, text=True
@@ -99,7 +109,7 @@ class MachiningTime(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             found = json.loads(Path(folder, "x.json").read_text())
             log = controller.run(
-                Path(folder) / "x.ngc", controller.Machine(**LIMITS, **machine), stops=1000, limit=300.0
+                Path(folder) / "x.ngc", controller.Machine(**limits, **machine), stops=1000, limit=300.0
             )
         on_path = numpy.isin(log.line, found["lines"])
         still = numpy.all(numpy.diff(log.joints, axis=0) == 0.0, axis=1)
@@ -122,6 +132,11 @@ class MachiningTime(unittest.TestCase):
 
     def test_copy_milling(self):
         self.check("copy")
+
+    def test_copy_milling_on_a_slow_machine(self):
+        """Whose accelerations take a fifth of the time."""
+        for acceleration in (300.0, 2000.0):
+            self.check("copy on its machine", acceleration)
 
 
 if __name__ == "__main__":

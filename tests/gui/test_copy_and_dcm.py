@@ -3,9 +3,12 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import FreeCAD
 import FreeCADGui
 import driver
 import numpy as np
+from patchmill.freecad import preferences
+from patchmill.machine import machining_time
 from patchmill_gui.app import tool_paths
 
 
@@ -40,6 +43,32 @@ class CopyAndDcm(driver.BlockTest):
         self.assertEqual(len(tool_paths.path_of(operation)), operation.Moves)
         self.document.undo()
         self.assertEqual(self.names(), before)
+
+    def said_and_accepted(self, panel):
+        """What a panel's preview says, before OK."""
+        panel.box.button.click()
+        self.assertTrue(driver.wait(lambda: panel.result is not None))
+        said = panel.box.text.text()
+        driver.accept(panel)
+        return said
+
+    def test_a_machine_is_chosen_and_taken_by_what_comes_next(self):
+        group = FreeCAD.ParamGet(preferences.PATH)
+        self.addCleanup(group.SetString, "Machine", group.GetString("Machine", ""))
+        group.RemString("Machine")
+        operation, panel = self.begin_copy()
+        self.assertEqual(operation.Machine, "")
+        panel.form_rows.rows["Machine"].editor.setCurrentText("linuxcnc-mill")
+        said = self.said_and_accepted(panel)
+        self.assertEqual(operation.Machine, "linuxcnc-mill")
+        self.assertIn(machining_time.in_words(operation.MachiningTime), said)  # one time
+        self.assertEqual(operation.CycleTime, machining_time.clock(operation.MachiningTime))
+        self.assertEqual(preferences.operation_defaults()["Machine"], "linuxcnc-mill")
+        dressup, panel = self.begin_dcm(operation)
+        self.assertEqual(dressup.Machine, "linuxcnc-mill")
+        said = self.said_and_accepted(panel)
+        self.assertEqual(dressup.CycleTime, machining_time.clock(dressup.MachiningTime))
+        self.assertIn(machining_time.in_words(dressup.MachiningTime), said)
 
     def test_cancel_leaves_nothing(self):
         before = self.names()

@@ -4,12 +4,15 @@ are the same; it is counted with rapids, accelerations and turns of the table.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import contextlib
+import json
 import os
 import pathlib
 import re
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
@@ -17,10 +20,12 @@ import _patchmill as core  # noqa: E402
 import FreeCAD  # noqa: E402
 import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
+from patchmill.batch import program_job  # noqa: E402
 from milling_jobs import dress, make_job, pocket_part  # noqa: E402
 from parts import WithDocuments, job_on, tilted_box  # noqa: E402
 from patchmill.machine import machines, machining_time  # noqa: E402
 from patchmill.macros import outcome  # noqa: E402
+from patchmill.posting import proposal  # noqa: E402
 from roof_job import roof_job  # noqa: E402
 
 RAPID, CUT = core.MoveKind.RAPID, core.MoveKind.CUT
@@ -77,6 +82,15 @@ class OfPaths(unittest.TestCase):
             self.assertEqual(machining_time.in_words(seconds), words)
 
 
+@contextlib.contextmanager
+def temporary_machine(test, data):
+    """A machine file called 'temporary' in the user's folder."""
+    with tempfile.TemporaryDirectory() as folder:
+        with unittest.mock.patch.dict(os.environ, PATCHMILL_MACHINES=folder):
+            pathlib.Path(folder, "temporary.json").write_text(json.dumps(data), encoding="utf-8")
+            yield
+
+
 class OneTime(WithDocuments):
     def assert_one_time(self, job, texture):
         plan = patchmill.recompute(texture)
@@ -88,6 +102,10 @@ class OneTime(WithDocuments):
             text = pathlib.Path(program).read_text(encoding="ascii")
             one = next(p for p in posted if p.operation is texture)
             self.assertEqual(outcome.figures(one)["seconds"], round(plan.seconds, 3))
+            outcome.report(posted, program, folder)
+            data = json.loads(pathlib.Path(folder, "report.json").read_text(encoding="utf-8"))
+            self.assertEqual(data["time_s"], plan.seconds)
+            self.assertIn(machining_time.in_words(plan.seconds), program_job._line(one))
         self.assertIn("(Time: %s)" % machining_time.in_words(plan.seconds), text)
         return plan
 
@@ -116,11 +134,62 @@ class OneTime(WithDocuments):
         slow = machining_time.seconds(path, (100.0, 100.0))
         self.assertAlmostEqual(copy.MachiningTime, slow, delta=1e-6)
         self.assertEqual(job.CycleTime, machining_time.clock(slow))
+        self.assert_said(job, copy)
         modifier = dress(copy, VoxelSize=2.0)
         seconds = patchmill.recompute(modifier).seconds
+        self.assert_said(job, modifier)
         self.assertNotEqual(machining_time.clock(seconds), machining_time.clock(slow))
         self.assertEqual(modifier.CycleTime, machining_time.clock(seconds))
         self.assertEqual(job.CycleTime, modifier.CycleTime)
+
+    def assert_said(self, job, op):
+        """Header, post dialog's figure and CycleTime are of one number."""
+        self.assertEqual(job.CycleTime, machining_time.clock(op.MachiningTime))
+        self.assertAlmostEqual(proposal.of(job).seconds, op.MachiningTime)
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "x.ngc")
+            (posted,) = patchmill.post(job, program, "patchmill_linuxcnc", "--precision=4")
+            self.assertIn(machining_time.in_words(op.MachiningTime), program_job._line(posted))
+            text = pathlib.Path(program).read_text(encoding="ascii")
+        said = r"\(%s: %s\)\n\(Time: %s\)"
+        title = {"copy milling": "Copy milling"}.get(op.Proxy.KIND, "DCM modifier")
+        wanted = title, op.Label, machining_time.in_words(op.MachiningTime)
+        self.assertRegex(text, said % tuple(map(re.escape, wanted)))
+
+    def test_copy_milling_and_a_modifier_on_a_machine(self):
+        """Rapids and accelerations are the machine's, not the tool controller's; more acceleration is less
+        time, down to that of the feeds."""
+        document, job = make_job(pocket_part(), ball=True)
+        copy = patchmill.CopyMilling.Create("Copy", parentJob=job)
+        copy.RadialDepth = 6.0
+        feeds = machining_time.seconds(patchmill.recompute(copy), (100.0, 100.0))
+        data, found = machines.load("linuxcnc-mill").data, []
+        for acceleration in (100.0, 2000.0, 1e5):
+            axes = dict(data["linear_axes"], acceleration_mm_s2=acceleration)
+            with temporary_machine(self, dict(data, linear_axes=axes)):
+                copy.Machine = "temporary"
+                patchmill.recompute(copy)
+                self.assert_said(job, copy)
+                found.append(copy.MachiningTime)
+                job.SetupSheet.HorizRapid = job.SetupSheet.VertRapid = "100 mm/s"
+                patchmill.recompute(copy)
+                self.assertEqual(copy.MachiningTime, found[-1])
+        self.assertEqual(sorted(found, reverse=True), found)
+        self.assertGreater(found[0], 1.05 * found[1])
+        self.assertLess(abs(found[-1] / feeds - 1.0), 0.03)
+        copy.Machine = "linuxcnc-mill"
+        modifier = dress(copy, VoxelSize=2.0, Machine="linuxcnc-mill")
+        patchmill.recompute(modifier)
+        self.assertAlmostEqual(modifier.BaseTime, copy.MachiningTime, delta=0.01 * copy.MachiningTime)
+        self.assert_said(job, modifier)
+
+    def test_a_machine_that_is_not_there_is_refused(self):
+        _, job = make_job(pocket_part(), ball=True)
+        copy = patchmill.CopyMilling.Create("Copy", parentJob=job)
+        copy.Machine = "no-such"
+        with self.assertRaises(patchmill.InputError) as caught:
+            patchmill.recompute(copy)
+        self.assertEqual(caught.exception.property, "Machine")
 
     def test_of_the_issue(self):
         """FreeCAD's own estimate was 23 s beside 1263 s: it takes F under G93 for a feed."""

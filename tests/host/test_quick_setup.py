@@ -56,6 +56,19 @@ class QuickSetup(unittest.TestCase):
         self.assertNotEqual(first.ToolController, end_mill)
         self.assertNotEqual(first.ToolController.ToolNumber, end_mill.ToolNumber)
 
+    def test_the_machine_is_the_jobs_else_the_users(self):
+        group = FreeCAD.ParamGet(preferences.PATH)
+        before = group.GetString("Machine", "")
+        self.addCleanup(group.SetString, "Machine", before)
+        group.SetString("Machine", "haas-mill")
+        copy = quick_setup.copy_milling("Copy", self.block)
+        self.assertEqual(copy.Machine, "haas-mill")
+        self.assertEqual(quick_setup.dcm_modifier("Modifier", copy).Machine, "haas-mill")
+        (job,) = host.jobs()
+        job.Operations.Group[0].Machine = "linuxcnc-mill"
+        self.assertEqual(quick_setup.copy_milling("Copy2", self.block).Machine, "linuxcnc-mill")
+        self.assertEqual(self.texture(self.block).Machine, "linuxcnc-mill")
+
     def test_own_posts_are_in_a_new_jobs_list_once_and_can_be_the_preferred_one(self):
         own = {"patchmill_%s" % name for name in ("fanuc", "heidenhain", "linuxcnc", "siemens")}
         FreeCAD.ParamGet(preferences.PATH).SetString("Post", "patchmill_siemens")

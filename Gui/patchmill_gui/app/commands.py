@@ -100,8 +100,6 @@ class DressupDcm(MakingCommand):
     )
 
     def make(self):
-        from patchmill.modifiers import dressup_dcm
-
         found = [o for o in FreeCADGui.Selection.getSelection() if o.isDerivedFrom("Path::Feature")]
         if len(found) != 1:
             raise InputError(
@@ -110,7 +108,7 @@ class DressupDcm(MakingCommand):
                 translate("PatchMill", "select one operation of a job."),
             )
         self.begin()
-        dressup = dressup_dcm.Create("DressupDCM", found[0])
+        dressup = quick_setup.dcm_modifier("DressupDCM", found[0])
         found[0].ViewObject.Visibility = False
         return dressup
 

@@ -10,10 +10,10 @@ import FreeCADGui
 import patchmill
 from _patchmill import InputError
 from patchmill.freecad import preferences
+from patchmill.machine.machining_time import in_words
 from patchmill.posting import proposal
 from PySide import QtCore, QtGui
 
-from patchmill_gui.forms.texture_summary import duration
 from patchmill_gui.forms.widgets import (
     ERROR_COLOUR,
     GOOD_COLOUR,
@@ -95,8 +95,10 @@ class PostDialog(QtGui.QDialog):
         return "\n".join(said) or translate("PatchMill", "no texture")
 
     def _time(self):
-        seconds = [plan.seconds for plan in self.proposed.plans]
-        return translate("PatchMill", "{} for textures").format(duration(sum(seconds))) if seconds else "-"
+        seconds = self.proposed.seconds
+        if not seconds:
+            return "-"
+        return translate("PatchMill", "{} for PatchMill's operations").format(in_words(seconds))
 
     def _file_row(self):
         row = QtGui.QHBoxLayout()

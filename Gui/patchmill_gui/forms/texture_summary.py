@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import html
 
 import _patchmill as core
+from patchmill.machine.machining_time import in_words
 
 from patchmill_gui.forms.widgets import translate
 
@@ -15,14 +16,6 @@ THIN = "\u202f"  # narrow, and lines do not break there
 def grouped(number):
     """12544 -> '12 544' with a narrow space."""
     return "{:,}".format(number).replace(",", THIN)
-
-
-def duration(seconds):
-    """Seconds as hours and minutes, as one says them."""
-    if seconds < 60.0:
-        return "%.0f s" % seconds
-    minutes = int(round(seconds / 60.0))
-    return "%d min" % minutes if minutes < 60 else "%d h %02d min" % divmod(minutes, 60)
 
 
 def _counts(counts):
@@ -53,7 +46,7 @@ def planned_summary(planned):
     lines = [
         placed_summary(planned),
         translate("PatchMill", "{} of milling, {:.2f} turns per dimple").format(
-            duration(planned.seconds), turns
+            in_words(planned.seconds), turns
         ),
     ]
     if planned.pacing.verdict is not None:

@@ -5,9 +5,11 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import _patchmill as core
 import FreeCAD
+from patchmill.freecad import preferences
+from patchmill.machine.machining_time import in_words
 from patchmill.operations import copy_milling
 
-from patchmill_gui.forms.texture_summary import duration, grouped
+from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import translate
 from patchmill_gui.panels.operation_base import OperationPage, OperationPanel, OperationView
 from patchmill_gui.views.path_view import PathScene, settle_native_lines
@@ -57,6 +59,7 @@ class CopyPanel(Computing, OperationPanel):
         return False  # finish closes the dialog
 
     def finish(self, result):
+        preferences.remember_machine(self.obj.Machine)
         self.close_with(result[0])
 
     def preview(self):
@@ -71,10 +74,9 @@ class CopyPanel(Computing, OperationPanel):
 
 def _summary(made):
     """What there is to say of a CopiedPath."""
-    seconds = made.seconds
     ridge = core.scallop_height(made.path.tool.radius, made.asked.last_radial)
     text = translate("PatchMill", "{} moves, {} of milling, ridges of {} on a flat").format(
-        grouped(len(made.path)), duration(seconds), FreeCAD.Units.Quantity(ridge, "mm").UserString
+        grouped(len(made.path)), in_words(made.seconds), FreeCAD.Units.Quantity(ridge, "mm").UserString
     )
     return "<br>".join([text, *(translate("PatchMill", remark) for remark in copy_milling.remarks(made))])
 

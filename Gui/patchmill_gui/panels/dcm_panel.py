@@ -7,6 +7,8 @@ import _patchmill as core
 import FreeCAD
 import FreeCADGui
 import numpy as np
+from patchmill.freecad import preferences
+from patchmill.machine.machining_time import in_words
 from patchmill.modifiers import dcm, dressup_dcm
 from patchmill.voxels import removal_model, voxel_slices
 from PySide import QtCore, QtGui
@@ -15,7 +17,7 @@ from patchmill_gui.forms.idle_properties import idle_dcm_properties
 from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.property_rows import QuantityRow
 from patchmill_gui.forms.resources import icon
-from patchmill_gui.forms.texture_summary import duration, grouped
+from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import (
     button_number,
     forget_closed_panels,
@@ -119,7 +121,7 @@ class DcmPanel(Computing):
         self.scene.show(display)
         self.box.text.setText(
             translate("PatchMill", "{} moves, {} of milling instead of {}").format(
-                grouped(made.steps["moves"]), duration(made.seconds), duration(made.base_seconds)
+                grouped(made.steps["moves"]), in_words(made.seconds), in_words(made.base_seconds)
             )
         )
         self.show_slice()
@@ -167,6 +169,7 @@ class DcmPanel(Computing):
         return False  # finish closes the dialog
 
     def finish(self, result):
+        preferences.remember_machine(self.obj.Machine)
         self.obj.Proxy.ready = result[:2]
         self.obj.touch()
         self.obj.Document.recompute()

@@ -6,10 +6,11 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import FreeCAD
 from patchmill.advice.found import GOOD_FRACTION
+from patchmill.machine.machining_time import in_words
 from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.events import kind_of
-from patchmill_gui.forms.texture_summary import duration, grouped
+from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import translate, wrapping_label
 
 GREEN, AMBER, RED, GREY = "#2e7d32", "#8a5a00", "#b71c1c", "#5f6368"  # under white text, contrast above 5
@@ -67,7 +68,7 @@ class Head(QtGui.QFrame):
         machine was named; `notes`: sentences that the user should read."""
         lines = [
             "<b>%s</b> · %s"
-            % (translate("PatchMill", "{} dimples").format(grouped(found.dimples)), duration(seconds))
+            % (translate("PatchMill", "{} dimples").format(grouped(found.dimples)), in_words(seconds))
         ]
         if found.patches:
             arrays = sorted({translate("PatchMill", patch.array) for patch in found.patches if patch.array})
@@ -227,5 +228,5 @@ def remedy_text(remedy):
     if not found.borders_are_good:
         what = translate("PatchMill", "{}, borders not as good").format(what)
     return translate("PatchMill", "{}: {:.0f} % good, {}").format(
-        what, 100.0 * found.good_fraction, duration(found.seconds)
+        what, 100.0 * found.good_fraction, in_words(found.seconds)
     )

@@ -13,6 +13,8 @@ import patchmill
 from patchmill import InputError
 from patchmill.batch import answer
 from patchmill.freecad import host
+from patchmill.freecad.kinds import kind_of
+from patchmill.machine import machining_time
 from patchmill.macros import outcome
 
 
@@ -75,8 +77,13 @@ def _line(one: Any) -> str:
     if hasattr(one, "errors"):
         said = outcome.figures(one)
         phase = "phase error at most %(phase_error_max_degrees).3f°, rms %(phase_error_rms_degrees).3f°"
-        return where + ("%(dimples)d dimples, " + phase + ". %(check_sentence)s") % said
-    return where + ("unknown: %s" % one.unknown if one.unknown else "%d moves as planned" % one.moves)
+        said["time"] = machining_time.in_words(said["seconds"])
+        return where + ("%(dimples)d dimples, %(time)s, " + phase + ". %(check_sentence)s") % said
+    if one.unknown:
+        return where + "unknown: %s" % one.unknown
+    ours = kind_of(one.operation)
+    time = ", " + machining_time.in_words(one.operation.MachiningTime) if ours else ""
+    return where + "%d moves as planned%s" % (one.moves, time)
 
 
 def main(name: str) -> int:

@@ -33,6 +33,10 @@ class Machine:
 
     @property
     def model(self):
+        return self.rounding(self.data["path_tolerance_mm"])
+
+    def rounding(self, tolerance):
+        """Its _patchmill.MotionModel where corners that do not say are rounded within `tolerance` [mm]."""
         axes = self.data["linear_axes"]
         jerk = math.inf if axes["jerk_mm_s3"] is None else axes["jerk_mm_s3"]
         return core.MotionModel(
@@ -40,7 +44,7 @@ class Machine:
             axes["acceleration_mm_s2"],
             jerk,
             self.data["servo_period_s"],
-            self.data["path_tolerance_mm"],
+            tolerance,
             self.data["spindle_lock"],
         )
 

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import functools
 import math
 from dataclasses import dataclass
+from typing import Optional
 
 import _patchmill as core
 import numpy as np
@@ -29,19 +30,21 @@ class Result:
     steps: dict
     not_clear: int
     asked: DcmInput
+    joints: Optional[np.ndarray] = None  # [rad] at the start and at the end of each move, if it is tilted
 
     @functools.cached_property
     def seconds(self):
         """Time of all its moves [s]: see machining_time."""
-        return self._seconds(self.path)
+        rounding = machining_time.UNTOLD if self.joints is None else tilted_path.BLEND
+        return self._seconds(self.path, self.joints, rounding)
 
     @functools.cached_property
     def base_seconds(self):
-        return self._seconds(self.base)
+        return self._seconds(self.base, None, machining_time.UNTOLD)
 
-    def _seconds(self, path):
+    def _seconds(self, path, joints, rounding):
         machine = machines.load(self.asked.machine) if self.asked.machine else None
-        return machining_time.seconds(path, self.asked.rapids, machine)
+        return machining_time.seconds(path, self.asked.rapids, machine, joints, rounding)
 
     @property
     def axis_step_degrees(self):
@@ -94,7 +97,7 @@ def apply(given, model):
     """Result for a DcmInput and its RemovalModel. Raises InputError."""
     machine = tilted_path.machine_of(given.machine) if given.posture else None
     made = control(given, model)
-    path = made.path
+    path, joints = made.path, None
     if given.posture:
         path, source, joints = tilted_path.with_angles(path, made.source, machine)
         commands = tilted_path.write(made.base, path, source, joints, machine, host.Path.Command)
@@ -102,7 +105,7 @@ def apply(given, model):
         commands = base_path.write(
             made.base, path, made.source, given.feed_tolerance, host.Path.Command
         )
-    return Result(commands, path, made.planned, core.path_steps(path), made.not_clear, given)
+    return Result(commands, path, made.planned, core.path_steps(path), made.not_clear, given, joints)
 
 
 def slow_plunges(path, planned, source):

@@ -5,12 +5,14 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import math
 from dataclasses import dataclass
+from typing import Optional
 
 import _patchmill as core
 from _patchmill import InputError
 
 from patchmill.freecad import made_from, tool_controller
 from patchmill.geometry import shapes
+from patchmill.machine import machines
 from patchmill.voxels import removal_model
 
 UNDERCUTS = "Scanning with undercuts"
@@ -40,6 +42,7 @@ class CopyInput:
     faces: str  # '' for the whole model
     face_count: int = 0
     rapids: tuple = (0.0, 0.0)  # across, and up or down
+    machine: Optional[machines.Machine] = None
 
     @property
     def chosen(self):
@@ -79,6 +82,7 @@ def input_of(obj):
         faces=_compound(faces) if faces else "",
         face_count=len(faces),
         rapids=tool_controller.rapids(obj.ToolController),
+        machine=machines.load(obj.Machine) if obj.Machine else None,
     )
 
 

@@ -9,6 +9,7 @@ lines, layer by layer from the stock (Kobayashi & Shirase 2014, section 2; docs/
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import functools
 from dataclasses import dataclass
 
 import _patchmill as core
@@ -35,6 +36,13 @@ PROPERTIES = [
     ("App::PropertyLength", "FinishingRadialDepth", "Copy", "The last pass's; 0: as the others'", 0.0),
     ("App::PropertyLength", "Allowance", "Copy", "Left by roughing for the last pass", 0.0),
     ("App::PropertyLength", "Tolerance", "Copy", "Of the path from the model", 0.01),
+    (
+        "App::PropertyString",
+        "Machine",
+        "Copy",
+        "Name of the machine file, whose rapids and accelerations the time counts; empty: unknown",
+        "",
+    ),
     gouge_tolerance("Tolerance"),
     *CHECK_PROPERTIES,
 ]
@@ -90,10 +98,13 @@ class CopiedPath:
     out_of_reach: int
     asked: CopyInput
 
-    @property
+    @functools.cached_property
     def seconds(self):
-        """Time of all its moves [s], by the feeds and the tool controller's rapids."""
-        return machining_time.seconds(self.path, self.asked.rapids)
+        """Time of all its moves [s]: see machining_time. Its programs say nothing of corners."""
+        given = self.asked
+        return machining_time.seconds(
+            self.path, given.rapids, given.machine, rounding=machining_time.UNTOLD
+        )
 
 
 def remarks(made, tilted=False):

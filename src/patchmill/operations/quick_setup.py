@@ -8,7 +8,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 from _patchmill import InputError
 
-from patchmill.freecad import host, preferences
+from patchmill.freecad import host, kinds, preferences
 
 # Of the ball's diameter: light cuts, and then ridges of one per cent of it on a flat
 DEPTHS = {"RadialDepth": 0.5, "AxialDepth": 0.5, "FinishingRadialDepth": 0.2}
@@ -53,17 +53,25 @@ def _untouched(controller):
     return controller.SpindleSpeed == 0.0
 
 
+def machine_for(job):
+    """Name of the machine file that a new operation or modifier of `job` takes: the one that the job or the
+    first of its operations names, else the user's own, which the first choice in a panel makes, or ''."""
+    named = [getattr(job, "PatchMillMachine", "")]
+    named += [getattr(op, "Machine", "") for op in job.Operations.Group if kinds.kind_of(op)]
+    return next(filter(None, named), preferences.operation_defaults()["Machine"])
+
+
 def texture(proxy_module, name, part, faces):
     """A texture operation called `name` on `faces` (names) of `part`, with all that it needs.
 
     `proxy_module` is patchmill.CurvedTexture or one of its sisters. The user's preferences give its first
     values. Returns the operation, not recomputed."""
     job, model = job_for(part)
-    controller = ball_end_controller(job)
+    controller, machine = ball_end_controller(job), machine_for(job)
     operation = proxy_module.Create(name, parentJob=job)
     operation.ToolController = controller
     operation.Base = [(model, list(faces))]
-    for key, value in preferences.operation_defaults().items():
+    for key, value in dict(preferences.operation_defaults(), Machine=machine).items():
         setattr(operation, key, value)
     operation.Proxy.refresh_heights(operation)
     return operation
@@ -75,11 +83,23 @@ def copy_milling(name, part, faces=()):
     from patchmill import CopyMilling
 
     job, model = job_for(part)
-    controller = ball_end_controller(job)
+    controller, machine = ball_end_controller(job), machine_for(job)
     operation = CopyMilling.Create(name, parentJob=job)
-    operation.ToolController = controller
+    operation.ToolController, operation.Machine = controller, machine
     operation.Base = [(model, list(faces))] if faces else []
     for name, share in DEPTHS.items():
         setattr(operation, name, share * float(controller.Tool.Diameter))
     operation.Proxy.refresh_heights(operation)
     return operation
+
+
+def dcm_modifier(name, base):
+    """A DressupDCM called `name` on `base`, an operation or modifier of a job, with the job's machine, not
+    recomputed. Raises InputError naming Base."""
+    from patchmill import DressupDCM
+
+    job = host.PathUtils.findParentJob(base)
+    machine = machine_for(job) if job is not None else ""
+    dressup = DressupDCM.Create(name, base)
+    dressup.Machine = machine
+    return dressup

@@ -88,12 +88,13 @@ def _ready(job, post_name, arguments):
     post_name = post_name or control_match.post_for(plans)
     if not re.fullmatch(r"\w+", post_name, re.ASCII):
         raise InputError("PostProcessor", repr(post_name), "give the name of a post-processor.")
+    machine = program_header.machine_of(operations)
     for op, plan in zip(textures, plans):
         requirements.check_verdict(op, plan)
         requirements.check_calibration(plan)
-        requirements.check_arguments(post_name, plan, words)
+        requirements.check_arguments(post_name, plan, words, machine)
     own = own_dialect(post_name)
-    decimals = requirements.decimals_of(post_name, words, plans)
+    decimals = requirements.decimals_of(post_name, words, machine)
     control_match.require(post_name, own.dialect if own else "", decimals, plans)
     tilted = [dressup for op in operations if (dressup := posted_milling.posture_of(op)) is not None]
     if tilted:

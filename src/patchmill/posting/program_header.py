@@ -4,7 +4,10 @@ machine, strategy, turns per dimple, time, where the phase is counted from.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+from patchmill.freecad.kinds import COPY_MILLING, DCM, kind_of
 from patchmill.machine import machines, machining_time
+
+TITLES = {COPY_MILLING: "Copy milling", DCM: "DCM modifier"}
 
 
 def textures(objects):
@@ -13,7 +16,8 @@ def textures(objects):
 
 
 def machine_of(objects):
-    """The machines.Machine of the first texture that names one, else of the first modifier that does."""
+    """The machines.Machine of the first texture that names one, else of the first other operation or modifier
+    that does."""
     for op in textures(objects):
         if op.Proxy.planned.machine is not None:
             return op.Proxy.planned.machine
@@ -26,6 +30,10 @@ def lines(objects, controller):
     out = ["PatchMill for %s" % controller]
     for op in textures(objects):
         out += _texture(op)
+    for op in objects:
+        if kind_of(op) in TITLES:
+            out.append("%s: %s" % (TITLES[kind_of(op)], op.Label))
+            out.append("Time: %s" % machining_time.in_words(op.MachiningTime))
     machine = machine_of(objects)
     if machine is not None:
         out.append("Machine: %s" % machine.data["name"])

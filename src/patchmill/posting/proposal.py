@@ -10,6 +10,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import os
 import re
 from dataclasses import dataclass, field
+from typing import Optional
 
 import _patchmill as core
 import FreeCAD
@@ -17,7 +18,8 @@ import FreeCAD
 from patchmill.freecad import host, preferences
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.computed import planned
-from patchmill.posting import control_match
+from patchmill.machine import machines
+from patchmill.posting import control_match, program_header
 from patchmill.posting.control_match import own_dialect
 from patchmill.textures import strategies
 
@@ -27,29 +29,29 @@ PRECISION = re.compile(r"\s*--precision[= ]\S+")
 
 @dataclass
 class Proposal:
-    """`plans`: the job's PlannedTextures."""
+    """`plans`: the job's PlannedTextures; `seconds`: time of all operations and modifiers of ours;
+    `machine`: the machines.Machine that the first of them names, or None."""
 
     post: str
     arguments: str
     filename: str
     plans: list = field(default_factory=list)
-
-    @property
-    def machine(self):
-        """The machines.Machine of the textures, or None."""
-        return next((plan.machine for plan in self.plans if plan.machine is not None), None)
+    seconds: float = 0.0
+    machine: Optional[machines.Machine] = None
 
 
 def of(job):
     """Proposal for a job, with its operations planned. Raises InputError where one cannot be."""
-    textures = [op for op in job.Operations.Group if host.is_active(op) and kind_of(op) == TEXTURE]
-    plans = [planned(op) for op in textures]
-    post = _post(job, plans)
-    return Proposal(post, arguments_for(job, plans), filename_for(job, post), plans)
+    operations = [op for op in job.Operations.Group if host.is_active(op)]
+    plans = [planned(op) for op in operations if kind_of(op) == TEXTURE]
+    machine = program_header.machine_of(operations)
+    post = _post(job, plans, machine)
+    seconds = sum(op.MachiningTime for op in operations if kind_of(op))
+    return Proposal(post, arguments_for(job, plans), filename_for(job, post), plans, seconds, machine)
 
 
-def _post(job, plans):
-    named = [p.machine.controller["dialect"] for p in plans if p.machine is not None]
+def _post(job, plans, machine):
+    named = [m.controller["dialect"] for m in [p.machine for p in plans] + [machine] if m is not None]
     named = [dialect for dialect in named if dialect != control_match.ANY]
     if named:
         return "patchmill_" + named[0]

@@ -74,10 +74,11 @@ def require_millimetres(what, arguments):
         raise InputError("PostProcessorArgs", "--inches", "%s is posted in millimetres." % what)
 
 
-def check_arguments(post_name, plan, arguments):
-    """Raises InputError naming PostProcessorArgs or Decimals unless a texture is written as planned."""
+def check_arguments(post_name, plan, arguments, machine):
+    """Raises InputError naming PostProcessorArgs or Decimals unless a texture is written as planned in a
+    program for a machines.Machine, or for None."""
     require_millimetres("a texture", arguments)
-    precision = decimals_of(post_name, arguments, [plan])
+    precision = decimals_of(post_name, arguments, machine)
     if precision != plan.input.decimals:
         raise InputError(
             "Decimals",
@@ -87,10 +88,10 @@ def check_arguments(post_name, plan, arguments):
         )
 
 
-def decimals_of(post_name, arguments, plans):
-    """How many decimals a post writes with these arguments. Raises InputError naming PostProcessorArgs."""
+def decimals_of(post_name, arguments, machine):
+    """How many decimals a post writes with these arguments for a machines.Machine, or for None. Raises
+    InputError naming PostProcessorArgs."""
     own = own_dialect(post_name)
-    machine = next((plan.machine for plan in plans if plan.machine is not None), None)
     precision = own.precision(shlex.join(arguments), machine) if own else 3
     for i, argument in enumerate(arguments):
         said = argument.split("=", 1)[1] if argument.startswith("--precision=") else ""
