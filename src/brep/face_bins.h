@@ -1,5 +1,5 @@
-// Which of many faces may lie over a place of the texture plane: bins over the rectangles that the faces cover there, so
-// that a place is not tried on every face.
+// Which of many faces may lie over a place of the texture plane: bins over the rectangles that the faces cover there,
+// so that a place is not tried on every face.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -34,9 +34,9 @@ class FaceSampler {
   FaceSampler(FaceSampler&&) noexcept;
   FaceSampler& operator=(FaceSampler&&) noexcept;
 
-  /// Projects points of the texture plane [mm]. Only faces that may lie over a point are tried on it. Sample i belongs to
-  /// point i, whatever the number of threads. Positions are exact to 1e-9 mm along the plane. States: Cut, OffFace, TooSteep, Undercut.
-  /// Returns an empty vector if `progress` asked for a stop.
+  /// Projects points of the texture plane [mm]. Only faces that may lie over a point are tried on it. Sample i
+  /// belongs to point i, whatever the number of threads. Positions are exact to 1e-9 mm along the plane. States: Cut,
+  /// OffFace, TooSteep, Undercut. Returns an empty vector if `progress` asked for a stop.
   std::vector<patch::SurfaceSample> sample(const std::vector<Vec2>& points,
                                            const Progress& progress = {}) const;
 

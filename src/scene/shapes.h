@@ -46,9 +46,9 @@ struct Triangles {
 /// them does not shine through.
 InventorNode triangle_node(const Triangles& triangles);
 
-/// One of `children`, the finest first, by the pixels that it takes up: `areas`, one fewer than children, largest first.
-/// It lies in a node kit, which actions that visit groups only pass over. Some of the host's, for preselection and
-/// colours, carry neither matrices nor a viewport, and Coin's LevelOfDetail asks for both without looking.
+/// One of `children`, the finest first, by the pixels that it takes up: `areas`, one fewer than children, largest
+/// first. It lies in a node kit, which actions that visit groups only pass over. Some of the host's, for preselection
+/// and colours, carry neither matrices nor a viewport, and Coin's LevelOfDetail asks for both without looking.
 InventorNode detail_node(const std::vector<float>& areas,
                          const std::vector<InventorNode>& children);
 

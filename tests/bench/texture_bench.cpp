@@ -1,6 +1,6 @@
 // A whole texture, from a face to its ToolPath: a wavy B-spline face of 100 x 100 poles, square patches in helices or
-// rows over the whole face, constant feed. Before it OpenCASCADE's intersector on the same face, as the peer: what a texture would
-// take that only projected its dimples with it. Items are dimples. Counters: the share of each stage in
+// rows over the whole face, constant feed. Before it OpenCASCADE's intersector on the same face, as the peer: what a
+// texture would take that only projected its dimples with it. Items are dimples. Counters: the share of each stage in
 // per cent, and `peak_MiB`, the most memory that the process had up to then.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/face_sampler.h"

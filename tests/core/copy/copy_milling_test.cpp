@@ -50,7 +50,8 @@ void along(const ToolPath& path, bool cuts_only, const Visit& visit) {
   }
 }
 
-// How deep the ball goes into the part in any move, links and rapids too, by distance and parity: no code in common with the probe.
+// How deep the ball goes into the part in any move, links and rapids too, by distance and parity: no code in common
+// with the probe.
 double deepest_gouge(const mesh::TriangleBvh& part, const ToolPath& path) {
   double deepest = 0.0;
   along(path, false, [&](const Vec3& c) {

@@ -36,9 +36,9 @@ RC_GTEST_PROP(CornerBlend, ArcTouchesBothMovesAndStaysInTolerance, (unsigned a, 
             1e-9 * tolerance);
 }
 
-// A direction between the axes is faster than an axis, and so is a flat corner in the axes' plane: its velocity is that of
-// the chord between those of its sides. A straight of 4.04 periods at 100 mm/s is one of 3.99 there, and is swallowed, as
-// LinuxCNC's log of such a corner shows.
+// A direction between the axes is faster than an axis, and so is a flat corner in the axes' plane: its velocity is
+// that of the chord between those of its sides. A straight of 4.04 periods at 100 mm/s is one of 3.99 there, and is
+// swallowed, as LinuxCNC's log of such a corner shows.
 TEST(CornerBlend, AFlatCornerIsAsFastAsItsSides) {
   const double tilt = 0.16, angle = 0.00776;
   const Vec3 before(std::cos(tilt), 0.0, std::sin(tilt)),

@@ -39,7 +39,8 @@ struct PartShape {
   /// the section is searched by `distance`, which takes long where flat meets flat.
   std::function<SectionDistance(const ToolSection&, const ToolPose&, double enough)> section;
   /// Distance of a section that goes from a pose along a travel [mm] without a turn, from the part's surface, found
-  /// to `within` [mm] or a fiftieth of what it is below `enough`; where it is above `enough`, anything from there to it will do. Empty: moves are walked in steps.
+  /// to `within` [mm] or a fiftieth of what it is below `enough`; where it is above `enough`, anything from there to
+  /// it will do. Empty: moves are walked in steps.
   std::function<SweptSection(const ToolSection&, const ToolPose&, const Vec3& travel, double enough,
                              double within)>
       swept;

@@ -7,7 +7,8 @@
 
 namespace patchmill::collision {
 
-/// Distance from a solid [mm], positive outside (mesh::signed_distance); may be called from several threads. Errors: InputError of require_closed, naming Part.
+/// Distance from a solid [mm], positive outside (mesh::signed_distance); may be called from several threads. Errors:
+/// InputError of require_closed, naming Part.
 PartDistance distance_from_mesh(const mesh::TriangleMesh& mesh);
 
 /// The same solid with the distances of tool sections: least over the mesh of the signed distance from the

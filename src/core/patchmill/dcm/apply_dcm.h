@@ -47,10 +47,9 @@ struct DcmOptions {
 /// is. Feed is the speed of the ball centre. Rapids keep their ball centre and get the axis of the
 /// place where they end; in air the axis is upright and the feed V_Hi. With a feed
 /// field every timed move gets its feed from it; without, moves keep their time, and divided ones
-/// share it. Errors: InputError if a field is of another grid, the tool has no radius, an option is out of range, the spindle
-/// stands still, or the feed of a texture path (moves that end on dimples) would be changed: its
-/// timing is its meaning. If `source` is given, it gets for each move the number of the move of `path`
-/// that it is a piece of.
+/// share it. Errors: InputError if a field is of another grid, the tool has no radius, an option is out of range, the
+/// spindle stands still, or the feed of a texture path (moves that end on dimples) would be changed: its timing is
+/// its meaning. If `source` is given, it gets for each move the number of the move of `path` that it is a piece of.
 ToolPath apply_dcm(const ToolPath& path, const voxel::VoxelGrid& grid, const FeedField* feed,
                    const PostureField* posture, const DcmOptions& options = {},
                    std::vector<std::int64_t>* source = nullptr);

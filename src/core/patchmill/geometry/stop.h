@@ -36,8 +36,9 @@ void parallel_for(Arguments&&... arguments) {
 }
 
 /// Does `work` in a thread of its own, and meanwhile asks `ask` with the fraction done, in this thread: before the
-/// work, each `period`, where the fraction grew by 0.04, and after the work if the fraction changed. False if `ask` returned false: then the work was stopped
-/// as soon as it looked, and what it made is not whole. What `work` or `ask` throws comes out here, after its end.
+/// work, each `period`, where the fraction grew by 0.04, and after the work if the fraction changed. False if `ask`
+/// returned false: then the work was stopped as soon as it looked, and what it made is not whole. What `work` or
+/// `ask` throws comes out here, after its end.
 bool run_stoppable(const std::function<void(const Progress&)>& work, const Progress& ask,
                    std::chrono::milliseconds period = std::chrono::milliseconds(30));
 

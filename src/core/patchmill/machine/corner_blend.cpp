@@ -48,8 +48,8 @@ double in_plane(double limit, const Vec3& binormal) {
   return limit / std::sqrt(1.0 - binormal.cwiseAbs2().minCoeff());
 }
 
-// The greatest speed round a corner: that of the box in the corner's plane, or, if that is more, along the chord between
-// the velocities on its two sides, each no greater than what the other one reaches in its direction.
+// The greatest speed round a corner: that of the box in the corner's plane, or, if that is more, along the chord
+// between the velocities on its two sides, each no greater than what the other one reaches in its direction.
 double greatest_round(const CornerSide& before, const CornerSide& after, double angle,
                       const Vec3& binormal, const MotionModel& model) {
   const double least_cosine = std::cos(kSharpest), cosine = std::max(std::cos(angle), least_cosine);

@@ -6,9 +6,10 @@
 // anew with a whole one after that. The target is the feed, or with the spindle locked
 //     K (turns per second) + sign(e) sqrt(a |e|),  e = K (turns since the lock) - way:
 // the error is closed as fast as it can be without overshooting; e is 0 where the axis has come to speed. In the
-// period that two pieces share, the one after the next has no target yet, so that the next one brakes in it as if it had
-// to stop at its end. The axes follow the mean of three periods, (1, 4, 1) / 6. All of it LinuxCNC's law, as its
-// published source has it, in words of our own: where the start within a period is known, the log agrees to 0.01 degrees at each dimple.
+// period that two pieces share, the one after the next has no target yet, so that the next one brakes in it as if it
+// had to stop at its end. The axes follow the mean of three periods, (1, 4, 1) / 6. All of it LinuxCNC's law, as its
+// published source has it, in words of our own: where the start within a period is known, the log agrees to 0.01
+// degrees at each dimple.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

@@ -70,8 +70,8 @@ inline float from_sides(const DropLeaf& leaf, const DropBall& ball, const Ahead&
   return most * most;
 }
 
-// What the ball's centre falls by, at least, for a contact that is a length away from where the upper bounding plane would hold it:
-// squared in the plan, and on that plane itself if that is known, else in the plan again.
+// What the ball's centre falls by, at least, for a contact that is a length away from where the upper bounding plane
+// would hold it: squared in the plan, and on that plane itself if that is known, else in the plan again.
 inline float fall(const DropNode& node, const DropBall& ball, float in_plan, float on_lid, int i) {
   const float curve = ball.half_curve * node.stretch[i], tilt = 1.0f + std::sqrt(on_lid) * curve;
   return larger(in_plan * ball.half_curve, on_lid * curve / (tilt * tilt));
@@ -123,8 +123,8 @@ inline unsigned bounds(const DropNode& node, const DropBall& ball, float best, D
   return bits_above(found, best);
 }
 
-// Over the box an upper bounding plane lies above the floor by no more than in the middle and, for each half side, the difference
-// of slopes; and the floor is no lower than in the middle less its own slope.
+// Over the box an upper bounding plane lies above the floor by no more than in the middle and, for each half side,
+// the difference of slopes; and the floor is no lower than in the middle less its own slope.
 template <typename FromSides>
 inline unsigned above_floor(const DropNode& node, const DropFloor& floor,
                             const FromSides& from_sides) {

@@ -6,11 +6,11 @@
 //  - under its upper bounding plane, of slope g = tan(a), no higher than  g . c + h + R / cos(a) - fall.
 // The ball touches that plane at q = c + R sin(a) g / |g|. To touch a place that lies e away from q in the plan it
 // must come down by fall >= e^2 / 2R, for sqrt(R^2 - r^2) curves down by 1 / R or more. And if that place lies E
-// away from q on the plane: a ball lowered by t reaches (2 R t cos(a))^1/2 around its foot on the plane, which has moved
-// by t sin(a), so that E <= (2 R t cos(a))^1/2 + t and
+// away from q on the plane: a ball lowered by t reaches (2 R t cos(a))^1/2 around its foot on the plane, which has
+// moved by t sin(a), so that E <= (2 R t cos(a))^1/2 + t and
 //     fall >= k E^2 / (1 + k E)^2,  k = 1 / (2 R cos(a)).
-// Over a smooth surface the upper bounding plane is off by the square of the child's size only. Of a single triangle E is the
-// distance to its sides: the bound is the height itself where q is inside.
+// Over a smooth surface the upper bounding plane is off by the square of the child's size only. Of a single triangle
+// E is the distance to its sides: the bound is the height itself where q is inside.
 // Everything is rounded so that a bound is never too low.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once

@@ -4,9 +4,9 @@
 // unknown phase x and the steps cancel: that dimple is cut at its place and full depth. Its number
 // gives x, which is stored with the machine and taken off all later paths.
 //
-// x is the machine's and the tool's only if it is counted from the spindle's index, at which a lock begins. A path has a
-// start phase of its own beside it: the turns from there to its first dimple, those that the axes lose in getting to
-// speed, and the azimuth of that dimple. It is known, and taken off as well.
+// x is the machine's and the tool's only if it is counted from the spindle's index, at which a lock begins. A path
+// has a start phase of its own beside it: the turns from there to its first dimple, those that the axes lose in
+// getting to speed, and the azimuth of that dimple. It is known, and taken off as well.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -33,16 +33,16 @@ enum class LockOrigin : std::uint8_t {
   Index     ///< from the spindle's index itself
 };
 
-/// The start phase that a locked path has of itself where flute 0 is at azimuth 0 at the index: the mean over its dimples
-/// of how far the spindle is before the phase that is `wanted` there (wanted_phases), in [0, period). By the motion
-/// model; by the planned turns where that does not know or the turns are counted from the index. Errors: InputError
-/// naming PhasePeriod, Dimple (the path ends a move on one that is not wanted), or the model's own.
+/// The start phase that a locked path has of itself where flute 0 is at azimuth 0 at the index: the mean over its
+/// dimples of how far the spindle is before the phase that is `wanted` there (wanted_phases), in [0, period). By the
+/// motion model; by the planned turns where that does not know or the turns are counted from the index. Errors:
+/// InputError naming PhasePeriod, Dimple (the path ends a move on one that is not wanted), or the model's own.
 Angle own_start_phase(const ToolPath& path, const std::vector<Angle>& wanted, Angle period,
                       const machine::MotionModel& model, LockOrigin origin);
 
-/// `path` with the spindle turned on by the missing period - x before the first dimple: it is begun so much further back
-/// (on `decimals`) at the pace of its first timed move, so that dimples are where they were planned, and a lock is at
-/// the speed that it was planned for. A correction of 0 changes nothing.
+/// `path` with the spindle turned on by the missing period - x before the first dimple: it is begun so much further
+/// back (on `decimals`) at the pace of its first timed move, so that dimples are where they were planned, and a lock
+/// is at the speed that it was planned for. A correction of 0 changes nothing.
 /// Errors: InputError naming StartPhase if not in [0, period); Path if it has no timed move of a
 /// known length and turns before its first dimple.
 ToolPath with_start_phase(ToolPath path, Angle start_phase, Angle period, const Decimals& decimals);

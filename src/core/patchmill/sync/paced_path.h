@@ -47,8 +47,8 @@ struct PacedPath {
 /// The path of a fixed vertical tool over all Cut dimples in their order. Positions lie on
 /// `decimals`; `turns` are what each move takes on a machine that can follow. Errors: InputError
 /// naming SpindleLock (the model's controller cannot), MaxVelocity (one tooth per dimple is too
-/// fast for an axis), ExtraTurns, Flutes, Lift, Turning (0 .. 1e6 s), ToolAxis (a wrong number), SafeHeight, ClearanceHeight, Dimples, or the
-/// model's own.
+/// fast for an axis), ExtraTurns, Flutes, Lift, Turning (0 .. 1e6 s), ToolAxis (a wrong number), SafeHeight,
+/// ClearanceHeight, Dimples, or the model's own.
 PacedPath paced_path(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
                      const PacedRule& rule, const machine::MotionModel& model,
                      const Decimals& decimals);

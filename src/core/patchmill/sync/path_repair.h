@@ -1,6 +1,6 @@
-// What a paced path needs where the motion model says that a lock is not there in time: more teeth at a turn-around that
-// arrives late, and one more turn-around where a row cannot be followed. A plan is made, predicted, mended at those
-// places, and made again; the rest stays as it is.
+// What a paced path needs where the motion model says that a lock is not there in time: more teeth at a turn-around
+// that arrives late, and one more turn-around where a row cannot be followed. A plan is made, predicted, mended at
+// those places, and made again; the rest stays as it is.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 

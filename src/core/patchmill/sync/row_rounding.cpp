@@ -51,7 +51,7 @@ class Row {
  public:
   Row(ToolPath& path, std::size_t first, std::size_t last, double rate,
       const machine::MotionModel& model)
-      : path_(path), first_(first), last_(last), model_(model), tolerances_(last - first) {
+      : path_(path), first_(first), model_(model), tolerances_(last - first) {
     Vec3 from = first ? path.moves[first - 1].end.tip : path.start.tip;
     for (std::size_t i = first; i <= last && i < path.moves.size(); ++i) {
       const Move& move = path.moves[i];
@@ -109,7 +109,7 @@ class Row {
   }
 
   ToolPath& path_;
-  std::size_t first_, last_;
+  std::size_t first_;
   const machine::MotionModel& model_;
   std::vector<double> tolerances_;          // at the end of each move of the row
   std::vector<machine::CornerSide> sides_;  // the row's moves, and the one after

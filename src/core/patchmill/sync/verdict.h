@@ -51,7 +51,8 @@ struct Verdict {
 
 /// `plan` makes the path for a spindle; it may throw InputError, which counts as not holding at
 /// that speed (and is the sentence if it does so at all of them). Speeds down to a hundredth are
-/// tried, and from the first that holds up in steps of 3 % until one does not. `slack`: the spindle's true speed may be off by this share either way.
+/// tried, and from the first that holds up in steps of 3 % until one does not. `slack`: the spindle's true speed may
+/// be off by this share either way.
 Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle& spindle,
               const machine::MotionModel& model, const std::vector<Angle>& wanted, Angle period,
               const PhaseLimits& limits = {}, double slack = 0.0);

@@ -74,7 +74,8 @@ void require_valid(const Tool& tool);
 void require_ball(const Tool& tool, const char* work);
 
 /// Height of the ridge that the tool leaves on a flat between passes `cross_feed` apart [mm]: none while its own flat
-/// bottom covers it, r beyond the width of a cutter without a taper. Errors: InputError naming CrossFeed (negative, or not finite).
+/// bottom covers it, r beyond the width of a cutter without a taper. Errors: InputError naming CrossFeed (negative,
+/// or not finite).
 double scallop_height(const Tool& tool, double cross_feed);
 
 }  // namespace patchmill

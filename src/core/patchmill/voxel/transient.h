@@ -30,8 +30,8 @@ double stability_limit(DiffusionAxes axes);
 /// sub-steps are not allowed.
 int transient_steps(DiffusionAxes axes, double pitch, const TransientOptions& options);
 
-/// Diffuses `field`, a value for each cell of `table` as `role` has, in place; held cells keep their value, nothing flows out through Outside cells.
-/// Returns the number of steps taken. Errors: as transient_steps.
+/// Diffuses `field`, a value for each cell of `table` as `role` has, in place; held cells keep their value, nothing
+/// flows out through Outside cells. Returns the number of steps taken. Errors: as transient_steps.
 int diffuse_transient(const BrickTable& table, const std::vector<CellRole>& role,
                       DiffusionAxes axes, double pitch, const TransientOptions& options,
                       std::vector<double>& field);
