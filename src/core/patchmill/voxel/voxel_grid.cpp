@@ -50,7 +50,7 @@ MemoryEstimate of_bricks(double bricks, double box_bricks, int posture_fields, b
 MemoryEstimate estimate_memory(const GridFrame& frame, double volume, double area,
                                int posture_fields, bool materials) {
   const double side = frame.pitch * kBrickSide, box = brick_box(frame.cells).cast<double>().prod();
-  const double bricks = volume / (side * side * side) + 1.5 * area / (side * side);
+  const double bricks = volume / (side * side * side) + 0.75 * area / (side * side);
   return of_bricks(std::min(bricks, box), box, posture_fields, materials);
 }
 

@@ -65,8 +65,9 @@ struct MemoryEstimate {
   double total() const { return grid + fields + solver; }
 };
 
-/// Foreseen from the volume [mm^3] that will be stored and the area [mm^2] that bounds it: a
-/// surface of random direction and area A meets 1.5 A / L^2 cubes of side L. The posture has `posture_fields`
+/// Foreseen from the volume V [mm^3] that will be stored and the area A [mm^2] that bounds it: of cubes of side L
+/// at random, V / L^3 + 0.75 A / L^2 meet it (Steiner's formula: the volume of the sum of both; what edges and corners
+/// add is left out). The posture has `posture_fields`
 /// components: two angles, or three of the unit vector; `materials`: whether there are other than the stock's own.
 MemoryEstimate estimate_memory(const GridFrame& frame, double volume, double area,
                                int posture_fields = 2, bool materials = false);
