@@ -3,6 +3,8 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import gc
+
 import FreeCAD
 import FreeCADGui
 import driver
@@ -10,6 +12,7 @@ import numpy as np
 from patchmill.freecad import preferences
 from patchmill.machine import machining_time
 from patchmill_gui.app import tool_paths
+from patchmill_gui.work.work_panel import WorkPanel
 
 
 class CopyAndDcm(driver.BlockTest):
@@ -69,6 +72,21 @@ class CopyAndDcm(driver.BlockTest):
         said = self.said_and_accepted(panel)
         self.assertEqual(dressup.CycleTime, machining_time.clock(dressup.MachiningTime))
         self.assertIn(machining_time.in_words(dressup.MachiningTime), said)
+
+    def test_copy_milling_and_a_modifier_are_checked_and_played(self):
+        operation = self.copy_milled()
+        dressup, _ = self.begin_dcm(operation)
+        driver.accept(dressup.ViewObject.Proxy.panel)
+        for obj in (operation, dressup):
+            for command in ("PatchMill_Check", "PatchMill_Play"):
+                driver.run_on(obj, command)
+                self.assertTrue(driver.panel_open(), command)
+                (panel,) = [o for o in gc.get_objects() if isinstance(o, WorkPanel) and o._is_open()]
+                self.assertTrue(driver.wait(lambda: panel.result is not None or panel.error is not None, 120))
+                self.assertIsNone(panel.error)
+                self.assertNotEqual(panel.result.outcome, "unknown", panel.result.sentence)
+                panel.reject()
+                driver.rest(0.1)
 
     def test_cancel_leaves_nothing(self):
         before = self.names()

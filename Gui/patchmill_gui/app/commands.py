@@ -146,9 +146,13 @@ class Check(PanelCommand):
         "PatchMill_Check", "Looks for gouges and collisions of ball, shank and holder with the part"
     )
 
+    def target(self):
+        return tool_paths.selected()
+
     def panel(self, operation):
         from patchmill_gui.panels.check_panel import CheckPanel
 
+        tool_paths.fresh_path(operation)
         return CheckPanel(operation)
 
 

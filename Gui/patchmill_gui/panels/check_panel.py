@@ -1,4 +1,4 @@
-"""Panel that checks a texture's path for gouges and collisions, and shows where the worst is.
+"""Panel that checks the path of an operation or modifier for gouges and collisions, and shows where they are.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -8,13 +8,14 @@ from pivy import coin
 
 from patchmill_gui.forms.widgets import DOUBT_COLOUR, ERROR_COLOUR, GOOD_COLOUR, noticed, translate
 from patchmill_gui.views.own_view import scene_of
+from patchmill_gui.views.play_scene import mark
 from patchmill_gui.work.work_panel import WorkPanel
 
 MARKS = 200  # findings that are shown in the view
 
 
 class CheckPanel(WorkPanel):
-    """Task panel for a texture operation; the check starts at once."""
+    """Task panel for an operation or modifier; the check starts at once."""
 
     def __init__(self, operation):
         super().__init__(translate("PatchMill", "Check {}").format(operation.Label), operation)
@@ -33,19 +34,8 @@ class CheckPanel(WorkPanel):
         colour = {checks.CLEAR: GOOD_COLOUR, checks.UNKNOWN: DOUBT_COLOUR}.get(result.outcome, ERROR_COLOUR)
         self.text.setText("<b>%s</b>" % noticed(result.sentence, colour))
         for finding in sorted(result.findings, key=lambda f: -f.depth)[:MARKS]:
-            self.marks.addChild(_mark(finding.place, 0.5 if finding is not result.worst else 1.0))
+            self.marks.addChild(mark(finding.place, 0.5 if finding is not result.worst else 1.0))
 
     def leave(self):
         super().leave()
         self.root.removeChild(self.marks)
-
-
-def _mark(place, size):
-    separator = coin.SoSeparator()
-    move, material, ball = coin.SoTranslation(), coin.SoMaterial(), coin.SoSphere()
-    move.translation.setValue(*place)
-    material.diffuseColor = (0.85, 0.1, 0.1)
-    ball.radius = size
-    for node in (move, material, ball):
-        separator.addChild(node)
-    return separator

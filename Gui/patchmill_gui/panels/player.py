@@ -1,4 +1,5 @@
-"""Plays a tool path: tool, holder and spindle angle along it, with a slider and a speed.
+"""Plays a tool path: tool, holder and spindle angle along it, its way and the dimples as they are cut, with a
+slider and a speed; a check runs beside it, and what it finds is on the slider and in the view.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -6,73 +7,63 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 import time
 
-import numpy as np
+from _patchmill import InputError
+from patchmill.verify import checks
 from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.texture_summary import grouped
-from patchmill_gui.forms.widgets import guard_editors, translate
+from patchmill_gui.forms.widgets import (
+    DOUBT_COLOUR,
+    ERROR_COLOUR,
+    GOOD_COLOUR,
+    guard_editors,
+    noticed,
+    translate,
+)
 from patchmill_gui.views.own_view import scene_of
-from patchmill_gui.views.tool_node import ToolNode
-from patchmill_gui.work.work_panel import ClosePanel
+from patchmill_gui.views.play_scene import PlayScene
+from patchmill_gui.views.timeline import FindingsBar, Timeline
+from patchmill_gui.work.work_panel import WorkPanel
 
 SPEEDS = (0.01, 0.1, 1.0, 10.0, 100.0, 1000.0)
-RAPID_MM_S = 100.0  # for moves whose time is the machine's affair
 FRAME_MS = 40
 STEPS = 100000  # of the slider
+MARKS = 200  # findings that are shown in the view
+VERDICT_COLOURS = {checks.CLEAR: GOOD_COLOUR, checks.UNKNOWN: DOUBT_COLOUR, checks.VIOLATED: ERROR_COLOUR}
 
 
-class Timeline:
-    """A ToolPath by time: where the tool is at a moment [s] from the start."""
-
-    def __init__(self, path):
-        self.path = path
-        start = np.asarray(path.start)[None]
-        self.tips = np.vstack([start, path.tips])
-        self.axes = np.vstack([path.axes[:1], path.axes])
-        self.turns = path.turns
-        lengths = np.linalg.norm(np.diff(self.tips, axis=0), axis=1)
-        known = np.isfinite(self.turns)
-        seconds = np.where(known, self.turns / path.spindle.speed, lengths / RAPID_MM_S)
-        self.ends = np.concatenate([[0.0], np.cumsum(seconds)])
-        turned = np.where(known, self.turns, seconds * path.spindle.speed)
-        self.turned = np.concatenate([[0.0], np.cumsum(turned)])
-        self.dimples = path.dimples
-
-    @property
-    def seconds(self):
-        return float(self.ends[-1])
-
-    def at(self, moment):
-        """(tip, axis, spindle angle [rad], number of the move) at a moment."""
-        move = int(np.clip(np.searchsorted(self.ends, moment, side="right") - 1, 0, len(self.turns) - 1))
-        span = self.ends[move + 1] - self.ends[move]
-        share = min(1.0, (moment - self.ends[move]) / span) if span > 0.0 else 1.0
-        tip = (1.0 - share) * self.tips[move] + share * self.tips[move + 1]
-        axis = (1.0 - share) * self.axes[move] + share * self.axes[move + 1]
-        turned = (1.0 - share) * self.turned[move] + share * self.turned[move + 1]
-        angle = self.path.spindle.sign * 2.0 * math.pi * (turned % 1.0)
-        return tip, axis / np.linalg.norm(axis), angle, move
-
-
-class PlayerPanel(ClosePanel):
+class PlayerPanel(WorkPanel):
     """Task panel. `path` is the ToolPath of the document object `operation`."""
 
     def __init__(self, operation, path):
-        super().__init__(translate("PatchMill", "Play"), operation)
-        self.line = Timeline(path)
+        super().__init__(translate("PatchMill", "Play {}").format(operation.Label), operation)
+        self.line = Timeline(path, _seconds(operation))
         self.operation = operation
-        self.moment = 0.0
+        self.moment, self.found = 0.0, []
+        self.view = PlayScene(path, self.line.tips)
+        self.tool = self.view.tool
         self._fill_form()
-        radius = path.tool.radius
-        self.tool = ToolNode(radius, path.tool.flutes, path.tool.sections)
         self.root = scene_of(operation)
-        self.root.addChild(self.tool.root)
+        self.root.addChild(self.view.root)
         self.timer = QtCore.QTimer()
         self.timer.timeout.connect(self._frame)
         self.go_to(0.0)
+        self._check()
+
+    def _check(self):
+        """Starts the check of the path, or says why there is none."""
+        try:
+            given = checks.check_input(self.operation)
+        except InputError as error:
+            self.show_error(error)
+            return
+        path = self.line.path
+        self.text.setText(translate("PatchMill", "Checking …"))
+        self.bar.begin()
+        self.work.start(lambda progress: checks.run_check(given, path=path, progress=progress))
 
     def _fill_form(self):
-        self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
+        self.slider, self.findings_bar = QtGui.QSlider(QtCore.Qt.Horizontal), FindingsBar()
         self.slider.setRange(0, STEPS)
         self.slider.setObjectName("Moment")
         self.slider.valueChanged.connect(self._slid)
@@ -84,20 +75,27 @@ class PlayerPanel(ClosePanel):
         self.speed.setRange(0, len(SPEEDS) - 1)
         self.speed.setValue(SPEEDS.index(1.0))
         self.speed.setObjectName("Speed")
-        self.speed.valueChanged.connect(lambda _: self._show_speed())
-        self.speed_label, self.text = QtGui.QLabel(), QtGui.QLabel()
-        self.text.setWordWrap(True)
+        self.speed.valueChanged.connect(self._show_speed)
+        self.speed_label, self.place = QtGui.QLabel(), QtGui.QLabel()
+        self.place.setWordWrap(True)
+        self.next = QtGui.QPushButton(translate("PatchMill", "Next finding"))
+        self.next.setObjectName("NextFinding")
+        self.next.setToolTip(translate("PatchMill", "Goes on to where the check found something next"))
+        self.next.clicked.connect(self.go_to_next)
+        self.next.hide()
         row = QtGui.QHBoxLayout()
         for widget in (self.play, self.speed, self.speed_label):
             row.addWidget(widget)
         self.layout.addWidget(self.slider)
+        self.layout.addWidget(self.findings_bar)
         self.layout.addLayout(row)
-        self.layout.addWidget(self.text)
-        self.layout.addStretch()
+        self.layout.addWidget(self.place)
+        self.layout.addWidget(self.next)
         guard_editors(self.form)
         self._show_speed()
+        self.add_progress()
 
-    def _show_speed(self):
+    def _show_speed(self, _=None):
         self.speed_label.setText("{:g} ×".format(SPEEDS[self.speed.value()]))
 
     def _slid(self, value):
@@ -105,7 +103,7 @@ class PlayerPanel(ClosePanel):
 
     def _toggled(self, on):
         if on:
-            self.began, self.from_moment = time.monotonic(), self.moment
+            self.began = time.monotonic()
             self.timer.start(FRAME_MS)
         else:
             self.timer.stop()
@@ -122,12 +120,12 @@ class PlayerPanel(ClosePanel):
         """Shows the tool at a moment [s]."""
         self.moment = min(max(0.0, moment), self.line.seconds)
         tip, axis, angle, move = self.line.at(self.moment)
-        self.tool.place(tip, axis, self.line.path.tool.radius, angle)
+        self.view.show(tip, axis, angle, move)
         self.slider.blockSignals(True)
         self.slider.setValue(int(STEPS * self.moment / self.line.seconds) if self.line.seconds else 0)
         self.slider.blockSignals(False)
         dimple = self.line.dimples[move]
-        self.text.setText(
+        self.place.setText(
             translate(
                 "PatchMill", "{} of {}\nmove {} of {}{}\nX {:.3f}  Y {:.3f}  Z {:.3f}\nspindle {:.0f}°"
             ).format(
@@ -141,9 +139,32 @@ class PlayerPanel(ClosePanel):
             )
         )
 
+    def go_to_next(self, _=None):
+        """The next place that the check found; after the last one the first."""
+        later = [moment for moment in self.found if moment > self.moment + 1e-6]
+        self.play.setChecked(False)
+        self.go_to(later[0] if later else self.found[0])
+
+    def show_result(self, result):
+        """What the check found: a CheckResult."""
+        self.result = result
+        self.bar.hide()
+        self.text.setText("<b>%s</b>" % noticed(result.sentence, VERDICT_COLOURS[result.outcome]))
+        self.found = [float(moment) for moment in self.line.moments(result.findings)]
+        self.findings_bar.show_shares([moment / self.line.seconds for moment in self.found])
+        self.view.show_findings(sorted(result.findings, key=lambda f: -f.depth)[:MARKS])
+        self.next.setVisible(bool(self.found))
+
     def leave(self):
+        super().leave()
         self.timer.stop()
-        self.root.removeChild(self.tool.root)
+        self.root.removeChild(self.view.root)
+
+
+def _seconds(operation):
+    """Of the whole path, where the operation tells it."""
+    seconds = getattr(operation, "MachiningTime", 0.0)
+    return seconds if seconds > 0.0 else None
 
 
 def _clock(seconds):
