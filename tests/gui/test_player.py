@@ -49,7 +49,10 @@ class Player(driver.TexturedTest):
         panel.reject()
 
     def test_way_and_dimples_grow_to_the_moment_and_no_further(self):
+        scene = self.operation.ViewObject.Proxy.scene
+        scene.switch("dimples", True)
         panel = PlayerPanel(self.operation, self.path)
+        self.assertFalse(scene.shown("dimples"))
         view, path = panel.view, self.path
         lasting = np.flatnonzero(np.diff(panel.line.ends) > 0.0)
         for move in lasting[[0, 1, 40, len(lasting) // 2, -1]]:
@@ -60,9 +63,12 @@ class Player(driver.TexturedTest):
             last = view._way_points.point[shown - 1].getValue()
             np.testing.assert_allclose(last, panel.line.at(panel.moment)[0], atol=1e-4)
         panel.reject()
+        self.assertTrue(scene.shown("dimples"))
 
     def test_the_time_is_the_operations(self):
-        line = PlayerPanel(self.operation, self.path).line
+        panel = PlayerPanel(self.operation, self.path)
+        line = panel.line
+        panel.reject()
         self.assertAlmostEqual(line.seconds, self.operation.MachiningTime, delta=1e-6 * line.seconds)
 
     def played(self):

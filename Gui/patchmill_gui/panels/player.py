@@ -45,6 +45,7 @@ class PlayerPanel(WorkPanel):
         self._fill_form()
         self.root = scene_of(operation)
         self.root.addChild(self.view.root)
+        self.bring_back = _display_set_aside(operation)
         self.timer = QtCore.QTimer()
         self.timer.timeout.connect(self._frame)
         self.go_to(0.0)
@@ -159,12 +160,21 @@ class PlayerPanel(WorkPanel):
         super().leave()
         self.timer.stop()
         self.root.removeChild(self.view.root)
+        self.bring_back()
 
 
 def _seconds(operation):
     """Of the whole path, where the operation tells it."""
     seconds = getattr(operation, "MachiningTime", 0.0)
     return seconds if seconds > 0.0 else None
+
+
+def _display_set_aside(operation):
+    """Hides what the operation shows, dimples or its whole path: only what has been cut is to be seen. Returns
+    what brings it back."""
+    scene = getattr(operation.ViewObject.Proxy, "scene", None)
+    parts = getattr(scene, "parts", scene)
+    return parts.set_aside() if parts is not None else lambda: None
 
 
 def _clock(seconds):

@@ -50,6 +50,18 @@ class SceneParts:
     def shown(self, part):
         return self._switches[part][0].whichChild.getValue() != coin.SO_SWITCH_NONE
 
+    def set_aside(self):
+        """Takes all that is shown out of sight. Returns the function that brings it back as it was."""
+        shown = [part for part in self._switches if self.shown(part)]
+        for part in shown:
+            self.switch(part, False)
+
+        def bring_back():
+            for part in shown:
+                self.switch(part, True)
+
+        return bring_back
+
     def filled(self, part):
         return self._switches[part][1].getNumChildren() > 0
 
