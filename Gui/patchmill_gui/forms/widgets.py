@@ -150,10 +150,13 @@ class ProgressBar(QtGui.QProgressBar):
         self.show()
 
     def show_share(self, share, seconds):
-        """`share` of the work is done, 0 to 1; about so many seconds are left."""
+        """`share` of the work is done, 0 to 1; about so many seconds are left, which nobody knows at first."""
         self.setRange(0, 1000)
         self.setValue(int(1000 * share))
-        self.setFormat(translate("PatchMill", "%p % · {:.0f} s left").format(seconds))
+        if self.value():
+            self.setFormat(translate("PatchMill", "%p % · {:.0f} s left").format(seconds))
+        else:
+            self.resetFormat()
         self.show()
 
 

@@ -30,7 +30,7 @@ class CheckPanel(WorkPanel):
 
     def show_result(self, result):
         self.result = result
-        self.bar.show_share(1.0, 0.0)
+        self.bar.hide()
         colour = {checks.CLEAR: GOOD_COLOUR, checks.UNKNOWN: DOUBT_COLOUR}.get(result.outcome, ERROR_COLOUR)
         self.text.setText("<b>%s</b>" % noticed(result.sentence, colour))
         for finding in sorted(result.findings, key=lambda f: -f.depth)[:MARKS]:
