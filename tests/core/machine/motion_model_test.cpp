@@ -71,6 +71,30 @@ RC_GTEST_PROP(StopToStop, JerkOnlyCostsTimeAndVanishesWhenLarge,
   RC_ASSERT(before <= without * (1.0 + 1e-3) + 1e-4);
 }
 
+// From rest to rest in steps of a period: never faster than wanted, no change of speed beyond the acceleration's, and
+// the time is that of the ramps, the nearer the shorter the period.
+TEST(SampledStop, KeepsTheAccelerationAndComesToTheTimeOfTheRamps) {
+  for (const double length : {0.02, 0.7, 12.0})
+    for (const double acceleration : {300.0, 2000.0, 9000.0}) {
+      const double velocity = 30.0, ramps = stop_to_stop_time(length, velocity, acceleration);
+      for (const double period : {2e-3, 1e-3, 2.5e-4}) {
+        double way = 0.0, speed = 0.0;
+        for (int k = 0; length - way > 1e-9; ++k) {
+          ASSERT_LT(k, 100000);
+          const SampledStep step =
+              sampled_step(length - way, speed, 0.0, velocity, acceleration, period);
+          EXPECT_LE(std::abs(step.speed - speed), acceleration * period * (1.0 + 1e-12));
+          EXPECT_LE(step.speed, velocity);
+          way += step.way;
+          speed = step.speed;
+        }
+        const double took = sampled_stop_time(length, velocity, acceleration, period);
+        EXPECT_GT(took, ramps - period);
+        EXPECT_LT(took, ramps + 4.0 * period) << length << " " << acceleration << " " << period;
+      }
+    }
+}
+
 TEST(MotionModel, TheBusiestAxisDecides) {
   MotionModel model;
   model.velocity = 100.0;

@@ -225,6 +225,16 @@ TEST(PlanComparison, MissingExtraAndMoved) {
   EXPECT_NEAR(c.quality, (18 + 1 - 0.4 * 0.4) / 21, 1e-12);
 }
 
+TEST(PlanComparison, MeanAndDeviationOfTheDepths) {
+  const auto places = test::rows_of_places(2, 2, 0.5, 0.5, [](int) { return 0.0; });
+  auto found = marks_at(places);
+  const double depths[] = {0.010, 0.012, 0.014, 0.020};
+  for (std::size_t k = 0; k < 4; ++k) found[k].depth = depths[k];
+  const PlanComparison c = compare_with_plan(found, plan_of(places), 0.5);
+  EXPECT_NEAR(c.mean_depth, 0.014, 1e-15);
+  EXPECT_NEAR(c.depth_deviation, std::sqrt((16.0 + 4.0 + 0.0 + 36.0) / 4.0) * 1e-3, 1e-12);
+}
+
 TEST(PlanComparison, SimulatedArrayIsAsPlanned) {
   const auto places = test::rows_of_places(4, 4, 0.5, 0.5, [](int j) { return 0.5 * (j % 2); });
   const SurfaceGrid grid = flat_grid(test::plane_z0(), {-0.4, -0.4}, {2.2, 1.9}, 0.02);

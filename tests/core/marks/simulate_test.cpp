@@ -182,6 +182,13 @@ TEST(Simulate, RefusesAndStops) {
   Cutter wrong = job.cutter;
   wrong.runout = {0.0};
   EXPECT_THROW(simulate_marks(motion, wrong, job.grid, {0.08}), InputError);
+  wrong.runout.assign(static_cast<std::size_t>(wrong.ball.flutes), 0.0);
+  wrong.runout[0] = 0.49 * wrong.ball.radius;
+  EXPECT_NO_THROW(require_valid(wrong));
+  for (const double share : {0.51, -0.51}) {
+    wrong.runout[0] = share * wrong.ball.radius;
+    EXPECT_THROW(require_valid(wrong), InputError);
+  }
   SurfaceGrid broken = job.grid;
   broken.sag = {0.0};
   EXPECT_THROW(simulate_marks(motion, job.cutter, broken, {0.08}), InputError);
