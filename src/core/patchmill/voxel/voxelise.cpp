@@ -109,11 +109,11 @@ struct Gathering {
     std::array<std::uint8_t, 64> bits{};
     for (int row = 0; row < 64; ++row) {
       const VoxelKind* c = halo.row(row % 8, row / 8);
-      const auto air = [&](int i) { return c[i] == VoxelKind::Air; };
+      const auto air = [&](int i) { return c[i] == VoxelKind::Air ? 1 : 0; };  // no branches
       for (int i = 0; i < 8; ++i) {
-        const bool beside = air(i - 1) | air(i + 1) | air(i - Halo::kRow) | air(i + Halo::kRow) |
-                            air(i - Halo::kSlab) | air(i + Halo::kSlab);
-        if (beside && c[i] == VoxelKind::Removal)
+        const int beside = air(i - 1) | air(i + 1) | air(i - Halo::kRow) | air(i + Halo::kRow) |
+                           air(i - Halo::kSlab) | air(i + Halo::kSlab);
+        if (beside != 0 && c[i] == VoxelKind::Removal)
           bits[row] = static_cast<std::uint8_t>(bits[row] | 1 << i);
       }
     }
