@@ -34,7 +34,7 @@ class PeakOf : public testing::TestWithParam<dcm::PostureForm> {};
 
 // Model, posture and feed of 168^3 voxels, 88 % to be removed: what the process took at the worst moment.
 TEST_P(PeakOf, ModelPostureAndFeedIsWhatWasForeseen) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef PATCHMILL_SANITIZE
   GTEST_SKIP() << "the sanitizer has its own memory";
 #endif
   const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Zero(), Vec3::Constant(168));
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Memory, PeakOf,
 
 // A box of 20 million voxels and its materials, which take a byte each; touched, so that they are resident.
 TEST(Memory, MaterialsTakeWhatWasForeseen) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef PATCHMILL_SANITIZE
   GTEST_SKIP() << "the sanitizer has its own memory";
 #endif
   const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Zero(), Vec3(320, 320, 200));
@@ -92,7 +92,7 @@ TEST(Memory, MaterialsTakeWhatWasForeseen) {
 
 // Without a posture only the feed fields and the voxels' roles are made.
 TEST(Memory, FeedAloneTakesWhatWasForeseen) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef PATCHMILL_SANITIZE
   GTEST_SKIP() << "the sanitizer has its own memory";
 #endif
   const mesh::TriangleMesh stock = mesh::box_mesh(Vec3::Zero(), Vec3(320, 320, 100));
