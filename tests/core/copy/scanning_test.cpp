@@ -12,8 +12,8 @@
 namespace patchmill::copy {
 namespace {
 
-// A groove with flat flanks and a sharp bottom, along y: where the centre of the ball turns from one flank to the other,
-// a line that cuts the corner stays above the part.
+// A groove with flat flanks and a sharp bottom, along y: where the centre of the ball turns from one flank to the
+// other, a line that cuts the corner stays above the part.
 mesh::TriangleMesh groove() {
   const double profile[5][2] = {{0, 0}, {20, 0}, {20, 8}, {10.3, 3}, {0, 8}};
   mesh::TriangleMesh m;

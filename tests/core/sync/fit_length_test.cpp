@@ -1,5 +1,5 @@
-// The corner that fits a length best, against the plain search of fit_length.h: every grid point near the ideal one, then
-// one step to the side after the other, each by its length; and corners found ahead against it.
+// The corner that fits a length best, against the plain search of fit_length.h: every grid point near the ideal one,
+// then one step to the side after the other, each by its length; and corners found ahead against it.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/sync/fit_length.h"
 

@@ -1,4 +1,5 @@
-// The way over a corner on the program's grid, leg by leg, while the corner is moved; part of the search of fit_length.h.
+// The way over a corner on the program's grid, leg by leg, while the corner is moved; part of the search of
+// fit_length.h.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
