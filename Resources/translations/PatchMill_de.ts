@@ -2088,6 +2088,18 @@ Spindel {:.0f}°</translation>
         <source>{} for PatchMill&apos;s operations</source>
         <translation>{} für die Operationen von PatchMill</translation>
     </message>
+    <message>
+        <source>Play {}</source>
+        <translation>{} abspielen</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Nächster Befund</translation>
+    </message>
+    <message>
+        <source>Goes on to where the check found something next</source>
+        <translation>Geht weiter zur nächsten Stelle, an der die Prüfung etwas gefunden hat</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

@@ -2088,6 +2088,18 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>{} for PatchMill&apos;s operations</source>
         <translation>PatchMill の操作に {}</translation>
     </message>
+    <message>
+        <source>Play {}</source>
+        <translation>{} を再生</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>次の検出箇所</translation>
+    </message>
+    <message>
+        <source>Goes on to where the check found something next</source>
+        <translation>検査で見つかった次の箇所へ進みます</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>
