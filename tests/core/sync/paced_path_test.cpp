@@ -175,6 +175,64 @@ TEST(PacedPath, EndsRowsOnCornersThatSwallowAStraight) {
   EXPECT_TRUE(prediction.known) << prediction.reason;
 }
 
+// Rows over a bump, and their path; half way through some of its steps the tool may be lifted.
+std::pair<patch::Dimples, ToolPath> over_a_bump(double rpm, double acceleration) {
+  patch::Dimples dimples = dimples_on({60.0, Vec3::Zero()}, -8.0, -40.0, 30, 1, 5);
+  mark_tool_tip(dimples, Vec3::UnitZ(), Angle::degrees(1));
+  PacedRule along = rule();
+  along.rows = true;
+  along.safe_height = along.clearance_height = 70.0;
+  const patch::Dimples rows =
+      patch::in_rows(dimples, patch::lattice_of(patch::PatchShape::Square), {});
+  const Spindle turning{rpm / 60.0, SpindleSense::M3};
+  return {rows, paced_path(rows, kTool, turning, along, machine(acceleration), kDecimals).path};
+}
+
+// Whether move i ends on a dimple whose steps before and after it are both parted.
+bool parted_about(const std::vector<Move>& moves, std::size_t i) {
+  return moves[i - 2].dimple != kNoDimple && moves[i - 1].dimple == kNoDimple &&
+         moves[i].dimple != kNoDimple && moves[i + 1].dimple == kNoDimple &&
+         moves[i + 2].dimple != kNoDimple;
+}
+
+// On a bump the straight way from dimple to dimple leads below the tangent planes of both. Near the tip a flute is
+// nearly as deep all the while that it passes, so that it would mark deepest beside them: there the way leads up from
+// every dimple, and only there.
+TEST(PacedPath, LeadsUpFromDimplesNearTheTip) {
+  const auto [dimples, path] = over_a_bump(1000.0, 2000.0);
+  const std::vector<Move>& moves = path.moves;
+  int parted = 0, straight = 0;
+  for (std::size_t i = 2; i + 2 < moves.size(); ++i) {
+    if (moves[i].dimple == kNoDimple) continue;
+    const Vec3& n = dimples[static_cast<std::size_t>(moves[i].dimple)].surface.normal;
+    const Vec3 from = moves[i - 1].end.tip - moves[i].end.tip;
+    const Vec3 to = moves[i + 1].end.tip - moves[i].end.tip;
+    if (moves[i - 1].dimple != kNoDimple && moves[i + 1].dimple != kNoDimple) {
+      ++straight;
+      EXPECT_GT(tilt(n, Vec3::UnitZ()).degrees(), 8.0) << i;
+    } else if (parted_about(moves, i)) {
+      ++parted;
+      EXPECT_LT(tilt(n, Vec3::UnitZ()).degrees(), 25.0) << i;
+      for (const Vec3& way : {from, to}) {
+        EXPECT_GT(way.dot(n), 0.0) << i;
+        EXPECT_LT(way.dot(n), 2.5e-4) << i;
+      }
+      const double pitch = from.norm() / moves[i].turns;
+      EXPECT_NEAR(to.norm() / moves[i + 1].turns, pitch, 0.05 * pitch) << i;
+    }
+  }
+  EXPECT_GT(parted, 300);
+  EXPECT_GT(straight, 300);
+}
+
+// Halves of less than 10 ms, or such that the machine could not stop in, would cost the lock its phase.
+TEST(PacedPath, PartsNoStepsThatCostTheLock) {
+  for (const auto& [rpm, acceleration] : {std::pair{1500.0, 10000.0}, {1000.0, 500.0}}) {
+    const std::vector<Move> moves = over_a_bump(rpm, acceleration).second.moves;
+    for (std::size_t i = 2; i + 2 < moves.size(); ++i) EXPECT_FALSE(parted_about(moves, i)) << i;
+  }
+}
+
 TEST(PacedPath, LinksGoOverTheSafeHeight) {
   const patch::Dimples dimples = random_dimples(2, 3, 2);
   const PacedPath paced = paced_path(dimples, kTool, spindle(), rule(), machine(), kDecimals);

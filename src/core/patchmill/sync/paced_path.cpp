@@ -22,6 +22,10 @@ namespace {
 constexpr int kRepairs = 8;  // rounds of planning and predicting
 constexpr double kLeastEase =
     0.1;  // of the time that the way between two rows needs, the least it gets
+constexpr double kAside = 0.005;  // of a step: how far beside a dimple its mark may be deepest
+// What half a step takes at least where it is parted: pieces of less than 10 ms are passed with one even acceleration
+// (planner_cycle.h), and a lock does not keep its phase on them.
+constexpr double kHalfSeconds = 0.012;
 
 void require_valid(const PacedRule& rule, std::size_t dimples, const Tool& tool,
                    const Spindle& spindle, const machine::MotionModel& model) {
@@ -125,8 +129,46 @@ class Builder {
     result_.path.moves.push_back({{decimals_.round(tip), Vec3::UnitZ()}});
   }
 
+  /// Whether a lock keeps its phase in halves of a step: the controller begins a piece as if it had to stop at its end,
+  /// and must not be slower for that.
+  bool can_part(const RowStep& step) const {
+    const double speed = step.pitch() * spindle_.speed;
+    return 0.5 * step.turns >= kHalfSeconds * spindle_.speed &&
+           speed * speed <= acceleration_along(model_, step.direction) * 0.5 * step.length;
+  }
+  /// How much higher than the straight way step i must be in its middle, so that it leads up from both its dimples [mm].
+  /// Where the surface bends away from a row, straight ways lead below the tangent planes of the dimples; and where
+  /// normal and tool nearly meet, a flute is nearly as deep all the while that it passes. Then marks are deepest beside
+  /// their dimples.
+  double crown(std::size_t i) const {
+    const RowStep& step = steps_[i];
+    if (rule_.pace != Pace::SpindleLocked || !rule_.phase.azimuths.empty() || !can_part(step))
+      return 0.0;
+    const double turning = 2.0 * kPi / step.pitch(), radius = result_.path.tool.radius;
+    double steepest = 0.0, aside = 0.0;
+    for (const std::size_t k : {i, i + 1}) {
+      const Vec3& n = planned_[k].normal;
+      const double down = (k == i ? -1.0 : 1.0) * step.direction.dot(n);
+      // over a way x from its lowest the flute's edge rises by R sin² tilt (x turning)² / 2
+      const double bend = radius * (1.0 - n.z() * n.z()) * turning * turning;
+      steepest = std::max(steepest, down);
+      aside = std::max(aside, down / bend);
+    }
+    return aside > kAside * step.length ? 0.5 * step.length * steepest + decimals_.unit() : 0.0;
+  }
   RowEnd row_step(std::size_t i) {
     const RowStep& step = steps_[i];
+    if (const double height = crown(i); height > 0.0) {
+      const Vec3 &a = planned_[i].tip, &b = planned_[i + 1].tip;
+      const Vec3 up = (planned_[i].normal + planned_[i + 1].normal).normalized();
+      const Vec3 middle = decimals_.round(Vec3(0.5 * (a + b) + height * up));
+      const double to = (middle - a).norm(), from = (b - middle).norm();
+      push({{middle, Vec3::UnitZ()}, step.turns * to / (to + from), kNoDimple, MoveKind::Cut},
+           kNoDimple);
+      push({{b, Vec3::UnitZ()}, step.turns * from / (to + from), kNoDimple, MoveKind::Cut},
+           planned_[i + 1].number);
+      return row_end(i + 1, step, i);
+    }
     push({{planned_[i + 1].tip, Vec3::UnitZ()}, step.turns, kNoDimple, MoveKind::Cut},
          planned_[i + 1].number);
     return row_end(i + 1, step, i);

@@ -46,7 +46,12 @@ std::optional<double> rounding_for(const machine::CornerSide& before,
 
 namespace {
 
-// A row: moves of a path that follow each other and end on dimples, the corner at the end of each.
+// Whether a move is one of a row's: it ends on a dimple, or half way to one, where no rounding is chosen yet.
+bool of_row(const Move& move) {
+  return move.dimple != kNoDimple || (move.kind == MoveKind::Cut && std::isnan(move.tolerance));
+}
+
+// A row: moves of a path from dimple to dimple that follow each other, the corner at the end of each.
 class Row {
  public:
   Row(ToolPath& path, std::size_t first, std::size_t last, double rate,
@@ -123,7 +128,7 @@ double round_rows(ToolPath& path, double rate, const machine::MotionModel& model
   for (std::size_t first = 0, last = 0; first < path.moves.size(); first = last) {
     last = first + 1;
     if (path.moves[first].dimple == kNoDimple) continue;
-    while (last < path.moves.size() && path.moves[last].dimple != kNoDimple) ++last;
+    while (last < path.moves.size() && of_row(path.moves[last])) ++last;
     coarsest = std::max(coarsest, Row(path, first, last, rate, model).round(tolerance));
   }
   return coarsest;
