@@ -110,16 +110,18 @@ class OneClick(unittest.TestCase):
         self.assertEqual((own.Strategy, own.Margin.Value), ("Constant feed", 0.0))
 
     def test_outermost_rows_are_whole(self):
-        """Without a margin the row along the lower border has no rim: quality 0.93 or less."""
-        for angle in (20.0, 30.0):
+        """The ball that mills the row along the lower border has its centre beyond it."""
+        for angle in (20.0, 30.0, 45.0):
             operation = one_click.texture(quality_parts.plate(angle, 8.0, 6.0), "Face6", "linuxcnc-mill")
             self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
             one_click.choose_for(operation)
-            plan = patchmill.recompute(operation)
-            self.assertGreaterEqual(patchmill.simulate(plan, machine=plan.machine).quality, 0.95)
-            operation.Margin = 0.0
-            plan = patchmill.recompute(operation)
-            self.assertLess(patchmill.simulate(plan, machine=plan.machine).quality, 0.95)
+            self.assertGreaterEqual(operation.Margin.Value, 0.48 * operation.Spacing.Value - 1e-9)
+            for margin in (operation.Margin.Value, 0.0):
+                operation.Margin = margin
+                plan = patchmill.recompute(operation)
+                result = patchmill.simulate(plan, machine=plan.machine)
+                self.assertGreaterEqual(result.quality, 0.99, (angle, margin))
+                self.assertEqual(result.found["missing"], 0)
 
     def test_speeds_rise_to_what_a_lock_can_follow(self):
         operation = one_click.texture(quality_parts.plate(20.0), "Face6", "linuxcnc-mill")

@@ -140,6 +140,42 @@ TEST(Simulate, MissingBaseStaysMissing) {
             1);
 }
 
+// The ball that mills near the lower border of a slope has its centre over cells beyond the border.
+TEST(Simulate, BorderOfASlopeChangesNothingOnIt) {
+  constexpr double kSlope = 0.6, kBorder = -0.1, kAbove = 0.2;  // kAbove: of the slope at x = 0
+  const Vec3 normal(-std::sin(kSlope), 0.0, std::cos(kSlope));
+  SurfaceGrid whole = flat_grid(test::plane_z0(), {-1.2, -0.4}, {0.6, 0.4}, 0.02);
+  for (int j = 0; j < whole.rows; ++j)
+    for (int i = 0; i < whole.columns; ++i) {
+      whole.sag.push_back(-whole.plane_point(i, j).x() * std::tan(kSlope) - kAbove);
+      whole.normal.push_back(normal.cast<float>());
+    }
+  SurfaceGrid part = whole;
+  for (int j = 0; j < part.rows; ++j)
+    for (int i = 0; i < part.columns; ++i)
+      if (part.plane_point(i, j).x() < kBorder)
+        part.sag[part.number(i, j)] = std::numeric_limits<double>::quiet_NaN();
+  ToolPath path;
+  path.tool = {1.0, 1};
+  path.spindle = {10.0, SpindleSense::M3};
+  const ToolPose there = pose_of_ball(0.99 * normal + kAbove * Vec3::UnitZ(), Vec3::UnitZ(), 1.0);
+  path.start = there;
+  path.moves.push_back({there, 0.5, 0, MoveKind::Cut});
+  path.moves.push_back({there, 0.5, kNoDimple, MoveKind::Cut});
+  const auto relief = [&](const SurfaceGrid& grid) {
+    return simulate_marks(motion_of(path), {path.tool, {}, {}}, grid, {0.03}).relief;
+  };
+  const Relief known = relief(whole), seen = relief(part);
+  int cut = 0;
+  for (int j = 0; j < part.rows; ++j)
+    for (int i = 0; i < part.columns; ++i) {
+      if (part.plane_point(i, j).x() < kBorder) continue;
+      ASSERT_NEAR(seen.at(i, j), known.at(i, j), 1e-6) << i << " " << j;
+      cut += known.at(i, j) < 0.0;
+    }
+  EXPECT_GT(cut, 20);
+}
+
 // Moving and turning path and plane together changes nothing.
 TEST(Simulate, DoesNotDependOnTheFrame) {
   const Job job;
