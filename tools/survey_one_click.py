@@ -65,7 +65,7 @@ def given_at(given, rpm):
 def described(remedy):
     extra = [
         text
-        for name, text in (("spacing", "finer"), ("minimum_tilt", "leave out"))
+        for name, text in (("spacing", "finer"), ("minimum_tilt", "leave out"), ("mapping", "lay"))
         if name in remedy.fields and remedy.kind != text
     ]
     angle = " %.0f°" % remedy.angle if remedy.angle else ""

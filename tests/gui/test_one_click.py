@@ -8,6 +8,9 @@ import FreeCAD
 import FreeCADGui
 import hands
 import Part
+from patchmill.advice import remedies
+from patchmill.advice.found import Assessment, PatchQuality
+from patchmill.advice.remedies import Remedy
 from patchmill.freecad import preferences
 from patchmill_gui.panels import texture_head
 from PySide import QtGui
@@ -61,6 +64,29 @@ class OneClick(driver.unittest.TestCase):
         self.settled(texture_head.GREEN)
         driver.accept(self.panel)
         self.assertGreater(self.operation.DimpleCount, 500)
+
+    def test_the_head_says_what_looks_away_and_offers_to_lay_the_dimples_along_the_faces(self):
+        head, taken = texture_head.Head(), []
+        self.addCleanup(head.deleteLater)
+        head.taken.connect(taken.append)
+        head.show()
+        half = Assessment(480, 0.44, {}, [PatchQuality((0.0, 0.0, 0.0), 16.0, 0.86)], away_fraction=0.556)
+        head.show_found(half, 60.0, None)
+        self.assertIn("56 % of the faces look away or are too steep", head.text.text())
+        laid = Assessment(1403, 0.97, {}, [PatchQuality((0.0, 0.0, 0.0), 75.0, 1.0)], away_fraction=0.03)
+        offered = [
+            Remedy("incline", dict(remedies.LAID), laid, (1.0, 0.0, 0.0), 90.0),
+            Remedy("lay", dict(remedies.LAID), laid),
+        ]
+        head.offer(offered)
+        driver.rest(0.3)
+        turned, lay = head.buttons
+        self.assertIn("Incline the part 90°, dimples laid along the faces: 97 % good", turned.text())
+        self.assertIn("Lay the dimples along the faces: 97 % good", lay.text())
+        hands.click(lay)
+        self.assertEqual(taken, offered[1:])
+        head.show_found(laid, 60.0, None)
+        self.assertNotIn("look away", head.text.text())
 
     def test_the_head_stays_at_the_top_and_is_empty_while_values_change(self):
         self.begin(plate(25.0))

@@ -12,6 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 
 import FreeCAD  # noqa: E402
 import numpy as np  # noqa: E402
+import Part  # noqa: E402
 import one_click  # noqa: E402
 import other_parts  # noqa: E402
 import patchmill  # noqa: E402
@@ -48,6 +49,39 @@ class OneClick(unittest.TestCase):
         self.assertEqual(one_click.state_of(operation)[0], "short")
         self.assertEqual(one_click.fix(operation), "incline")
         self.assertEqual(one_click.state_of(operation)[0], "good")
+
+    def test_a_lying_half_cylinder_is_short_and_becomes_good_by_the_fix(self):
+        """However it lies, much of it is steep, where a projected lattice is stretched: it is laid on."""
+        operation = one_click.texture(quality_parts.knob(5.0, 6.0), "Face1", "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        one_click.choose_for(operation)
+        _, found, _ = one_click.state_of(operation)
+        self.assertLess(found.milled_fraction, 0.5)  # the other half looks down
+        self.assertEqual(one_click.fix(operation), "incline")
+        self.assertEqual(operation.Mapping, "On surface")
+        self.assertEqual(one_click.state_of(operation)[0], "good")
+
+    def test_what_looks_away_counts_as_left_out(self):
+        """Of a lying cylinder all sides but those of up to 80° to the projection."""
+        shape = Part.makeCylinder(6.0, 8.0, FreeCAD.Vector(), FreeCAD.Vector(1, 0, 0))
+        operation = one_click.texture(shape, "Face1", "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        given = operation.Proxy.texture_input(operation)
+        seen = orientation.seen_fraction(given, (0.0, 0.0, -1.0))
+        self.assertAlmostEqual(seen, 160.0 / 360.0, delta=0.03)  # by triangles
+        self.assertEqual(orientation.seen_fraction(given, (-1.0, 0.0, 0.0)), 0.0)
+        found = one_click.assess(given, 1)
+        self.assertAlmostEqual(found.milled_fraction, seen, delta=0.06)
+        self.assertAlmostEqual(found.away_fraction, 1.0 - seen)
+
+    def test_bad_borders_count_for_what_they_leave(self):
+        inside = [PatchQuality((0.0, 0.0, 0.0), 20.0, 1.0)]
+        short, good = (Assessment(100, part, {}, inside) for part in (0.6, 1.0))
+        open_border = Assessment(100, 1.0, {}, inside, whole=0.9)
+        self.assertEqual([found.worth for found in (short, open_border, good)], [0.6, 0.9, 1.0])
+        self.assertTrue(remedies._helps(open_border, short.worth))
+        self.assertTrue(remedies._helps(good, open_border.worth))
+        self.assertFalse(remedies._helps(open_border, good.worth))
 
     def test_a_flat_plate_is_short_and_becomes_good_by_the_fix(self):
         for machine, kinds in (("linuxcnc-mill", {"incline"}), ("table-table-ac", {"incline", "lean"})):
@@ -122,6 +156,13 @@ class OneClick(unittest.TestCase):
                 result = patchmill.simulate(plan, machine=plan.machine)
                 self.assertGreaterEqual(result.quality, 0.99, (angle, margin))
                 self.assertEqual(result.found["missing"], 0)
+
+    def test_a_plate_of_two_millimetres_is_good(self):
+        """Of its eight dimples all are outermost."""
+        operation = one_click.texture(quality_parts.plate(25.0, 2.0, 2.0), "Face6", "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        one_click.choose_for(operation)
+        self.assertEqual(one_click.state_of(operation)[0], "good")
 
     def test_speeds_rise_to_what_a_lock_can_follow(self):
         operation = one_click.texture(quality_parts.plate(20.0), "Face6", "linuxcnc-mill")

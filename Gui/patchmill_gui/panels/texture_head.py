@@ -80,6 +80,9 @@ class Head(QtGui.QFrame):
                     ", ".join(arrays) or translate("PatchMill", "none"),
                 )
             )
+        if found.away_fraction > 1.0 - GOOD_FRACTION:
+            away = translate("PatchMill", "{:.0f} % of the faces look away or are too steep as the part lies")
+            lines.append(away.format(100.0 * found.away_fraction))
         lines += list(notes)
         self.text.setText("<br>".join(lines))
         self._say(*_verdict(found, verdict))
@@ -216,6 +219,7 @@ def remedy_text(remedy):
         "incline": translate("PatchMill", "Incline the part {:.0f}°").format(remedy.angle),
         "lean": translate("PatchMill", "Lean the tool {:.0f}°").format(remedy.angle),
         "along": translate("PatchMill", "Let the tool follow the faces, leant {:.0f}°").format(remedy.angle),
+        "lay": translate("PatchMill", "Lay the dimples along the faces"),
         "finer": translate("PatchMill", "Choose a smaller spacing"),
         "leave out": translate("PatchMill", "Leave out what is too flat"),
         "values": translate("PatchMill", "Take the values that suit"),
@@ -223,6 +227,8 @@ def remedy_text(remedy):
     if "spacing" in fields:
         spacing = FreeCAD.Units.Quantity(fields["spacing"], "mm")
         what = translate("PatchMill", "{}, spacing {}").format(what, spacing.UserString)
+    if "mapping" in fields and remedy.kind != "lay":
+        what = translate("PatchMill", "{}, dimples laid along the faces").format(what)
     if "minimum_tilt" in fields and remedy.kind != "leave out":
         what = translate("PatchMill", "{}, leave out what is too flat").format(what)
     if not found.borders_are_good:

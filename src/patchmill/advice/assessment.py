@@ -29,6 +29,8 @@ MANY_TURNS = 3 * SMALL  # of the spindle, in which a small texture is simulated 
 MANY = 40000  # dimples; of more, a coarser lattice is looked at
 ABOUT = 0.95  # of the most neighbours: a place in the middle
 NOT_ASKED_FOR = ("off the face", "off the net", "masked", "near an edge")  # states' names
+TURNED_AWAY = ("undercut", "too steep")  # of which a projected lattice has few points for much of the faces
+STEEP = math.radians(50.0)  # to the direction of projection, above which a relief over the plane is coarse
 FLATTEST = 0.05  # of the dimples: the flattest ones, looked at by themselves
 ALIKE = math.radians(0.5)  # tilts that differ by less are looked at once
 
@@ -51,14 +53,14 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     placed = place_texture(replace(given, spacing=times * given.spacing) if times > 1.0 else given)
     counts = {name: round(times**2 * n) for name, n in placed.dimples.counts().items()}
     cut = placed.dimples.states == core.DimpleState.CUT
-    on_faces = sum(n for name, n in counts.items() if name not in NOT_ASKED_FOR)
-    found = Assessment(counts["cut"], counts["cut"] / max(1, on_faces), counts)
+    milled, away = _fractions(given, placed, counts)
+    found = Assessment(counts["cut"], milled, counts, away_fraction=away)
     if not cut.any() or placed.free is not None:
         return found
     tilts = _tilts(placed)
     numbers = np.flatnonzero(cut)
     order = numbers[np.argsort(tilts[numbers], kind="stable")]
-    parts = _parts(order, tilts[order], count)
+    parts = [order] if len(order) <= WINDOW**2 else _parts(order, tilts[order], count)
     neighbours = _neighbours(placed, cut)
     middles = [_middle(part, neighbours) for part in parts]
     made: dict[int, PatchQuality] = {}
@@ -90,11 +92,25 @@ def _times_spacing(given):
     return max(1.0, min(needed, given.tool.radius / given.spacing))
 
 
+def _fractions(given, placed, counts):
+    """Of the faces, what is milled, and what is TURNED_AWAY. What the user, or a margin, leaves out does not
+    count."""
+    on_faces = sum(n for name, n in counts.items() if name not in NOT_ASKED_FOR)
+    away = sum(counts[name] for name in TURNED_AWAY)
+    if given.mapping != "Projected":
+        return counts["cut"] / max(1, on_faces), away / max(1, on_faces)
+    seen = orientation.seen_fraction(given, placed.plane.direction)
+    return seen * counts["cut"] / max(1, on_faces - away), 1.0 - seen
+
+
 def _whole(simulate, given):
     """Quality of a whole texture, its borders included; 0 where it cannot be made or loses its phase, None
-    where it would take too long, for the spindle turns often for each dimple."""
+    where it would take too long, for the spindle turns often for each dimple, or where the texture lies on
+    faces too steep for one relief over the plane."""
     try:
         plan = plan_texture(given)
+        if given.mapping != "Projected" and _steepest(plan) > STEEP:
+            return None
         verdict = plan.pacing.verdict
         if verdict is not None and not given.keeps_phase.polygons and verdict.holding != "holds":
             return 0.0
@@ -103,6 +119,12 @@ def _whole(simulate, given):
         return float(simulate(plan, machine=plan.machine).quality)
     except InputError:
         return 0.0
+
+
+def _steepest(plan):
+    """Angle [rad] of the milled dimples' normals to where the texture is projected from."""
+    normals = plan.dimples.normals[plan.dimples.states == core.DimpleState.CUT]
+    return float(np.arccos(np.clip(-(normals @ np.asarray(plan.plane.direction)).max(), -1.0, 1.0)))
 
 
 def _parts(order, tilts, count):
@@ -148,11 +170,16 @@ def _patch(simulate, given, placed, number, tilt):
     """PatchQuality of one patch whose middle is where dimple `number` of a PlacedTexture is."""
     position = tuple(float(c) for c in placed.dimples.positions[number])
     looked = PatchQuality(position, tilt)
+    few = placed.dimples.counts()["cut"] <= WINDOW**2  # then they are the patch
+    if not few:
+        given = replace(given, origin=position, patches_x=1, patches_y=1, minimum_dimples=0)
+        if given.mapping != "Projected":  # the same dimples from any side: steep ones are seen from theirs
+            normal = tuple(-float(c) for c in placed.dimples.normals[number])
+            given = replace(given, direction=normal, auto_direction=False)
     try:
-        plan = plan_texture(replace(given, origin=position, patches_x=1, patches_y=1, minimum_dimples=0))
-        spacing = plan.input.spacing
-        half = spacing * min(0.5 * WINDOW, 0.5 * given.patch_side)
-        window = ((-half, -half), (half, half))
+        plan = plan_texture(given)
+        half = plan.input.spacing * min(0.5 * WINDOW, 0.5 * given.patch_side)
+        window = None if few else ((-half, -half), (half, half))
         result = simulate(plan, machine=plan.machine, window=window)
     except InputError as error:
         looked.problem = str(error)

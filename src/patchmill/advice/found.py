@@ -27,13 +27,15 @@ class PatchQuality:
 
 @dataclass
 class Assessment:
-    """What a texture comes to. Fractions are of all lattice points on the faces."""
+    """What a texture comes to. Fractions are of the faces' lattice points; where the lattice is projected on
+    the faces, times the part of their area that it is seen on."""
 
     dimples: int
     milled_fraction: float
     counts: dict
     patches: list = field(default_factory=list)  # PatchQuality, from the least to the greatest tilt
     seconds: float = 0.0  # of milling, about
+    away_fraction: float = 0.0  # looks away from where the texture is projected from, or is too steep
     whole: Optional[float] = None  # quality of the whole texture, borders included, where it was simulated
 
     @property
@@ -43,6 +45,11 @@ class Assessment:
             return 0.0
         good = sum(patch.fraction for patch in self.patches if patch.quality >= GOOD)
         return self.milled_fraction * good / sum(patch.fraction for patch in self.patches)
+
+    @property
+    def worth(self):
+        """good_fraction; where the borders are bad, what they leave of it."""
+        return self.good_fraction if self.borders_are_good else min(self.good_fraction, self.whole)
 
     @property
     def quality(self):

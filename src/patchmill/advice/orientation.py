@@ -17,6 +17,7 @@ AZIMUTHS = 16  # of its axis
 # lattice is stretched, and outermost rows need a wider margin
 BEST_TILTS = (14.0, 28.0)
 STEEP, STEEP_COUNTS = 78.0, 0.7  # up to which tilt, and as how much of a good one, the steepest places count
+LAID_STEEP, LAID_STEEP_COUNTS = 88.0, 0.97  # of a lattice that lies on the faces: it is not stretched
 PER_DEGREE = 0.0005  # of the faces, that a degree of leaning must gain
 COARSE = 0.02  # of the faces' size: how far triangles may be off a face whose normals are asked for
 
@@ -39,26 +40,37 @@ def face_normals(given):
     return np.concatenate(normals), np.concatenate(areas)
 
 
-def leanings(normals, areas=None, angles=ANGLES, flattest=BEST_TILTS[0]):
+def leanings(normals, areas=None, angles=ANGLES, flattest=BEST_TILTS[0], laid=False):
     """(fraction of the faces at good tilts, angle, axis) for axes in the plane, the best first; `axis` turns
     the part by `angle` [degrees], or the tool the other way. A small angle is better than a large one that
-    gains next to nothing. `flattest`: the least good tilt [degrees]."""
+    gains next to nothing. `flattest`: the least good tilt [degrees]; `laid`: see good_fraction."""
     weights = np.ones(len(normals)) if areas is None else np.asarray(areas)
     found = []
     for angle in angles:
         for k in range(AZIMUTHS):
             azimuth = 2.0 * math.pi * k / AZIMUTHS
             axis = (math.cos(azimuth), math.sin(azimuth), 0.0)
-            good = good_fraction(normals, weights, up_of(axis, angle), flattest)
+            good = good_fraction(normals, weights, up_of(axis, angle), flattest, laid)
             found.append((round(good - PER_DEGREE * angle, 4), -angle, -k, round(good, 3), axis))
     return [(good, -angle, axis) for _, angle, _, good, axis in sorted(found, reverse=True)]
 
 
-def good_fraction(normals, weights, up, flattest=BEST_TILTS[0]):
-    """Of the faces, what lies at good tilts to a tool axis `up`; steep places count for a part."""
+def good_fraction(normals, weights, up, flattest=BEST_TILTS[0], laid=False):
+    """Of the faces, what lies at good tilts to a tool axis `up`; steep places count for a part, most of
+    it where the lattice is `laid` on the faces."""
     tilts = np.degrees(np.arccos(np.clip(normals @ np.asarray(up), -1.0, 1.0)))
-    counts = np.interp(tilts, (BEST_TILTS[1], STEEP), (1.0, STEEP_COUNTS))
-    return float((weights * counts * (tilts > flattest) * (tilts < STEEP)).sum() / weights.sum())
+    steepest, least = (LAID_STEEP, LAID_STEEP_COUNTS) if laid else (STEEP, STEEP_COUNTS)
+    counts = np.interp(tilts, (BEST_TILTS[1], steepest), (1.0, least))
+    return float((weights * counts * (tilts > flattest) * (tilts < steepest)).sum() / weights.sum())
+
+
+def seen_fraction(given, direction):
+    """Of the faces' area, what looks against `direction`, no steeper than the texture's SteepestSlope."""
+    normals, areas = face_normals(given)
+    if not len(normals):
+        return 1.0
+    least = math.cos(math.radians(given.steepest_slope))
+    return float(areas[-(normals @ np.asarray(direction)) >= least].sum() / areas.sum())
 
 
 def up_of(axis, angle):

@@ -22,13 +22,14 @@ APART = 15.0  # degrees between inclinations that are both tried
 SIDEWAYS = 0.5  # cosine to Z, below which faces are looked at along their own normal
 WORTH_TRYING = 0.75  # of the faces at good tilts, by their normals
 UPRIGHT = (0.0, 0.0, 1.0)
+LAID = {"mapping": "On surface", "steepest_slope": orientation.LAID_STEEP}
 ENOUGH = 2  # good remedies, after which dearer ones are not tried
 
 
 @dataclass
 class Remedy:
-    """`kind`: values, incline, lean, along, finer, leave out. `fields`: of a TextureInput; `axis` and `angle`
-    [degrees]: how the part is turned about its middle, or the tool the other way."""
+    """`kind`: values, incline, lean, along, finer, lay, leave out. `fields`: of a TextureInput; `axis` and
+    `angle` [degrees]: how the part is turned about its middle, or the tool the other way."""
 
     kind: str
     fields: dict
@@ -52,7 +53,7 @@ class Finder:
         normals, areas = orientation.face_normals(given)
         if not len(normals):
             return []
-        now = self._good_fraction(given)
+        now = self._worth(given)
         first, last = self._tries(given, normals, areas)
         found: list[Remedy] = []
         slow = self._slow_strategies(given)
@@ -101,6 +102,7 @@ class Finder:
         if self.can_incline:
             first.append(lambda: self._incline(given, best))
         first.append(lambda: self.leave_out(whole))
+        last.extend(self._laid_tries(given, normals, areas, machine))
         for part in FINER if given.spacing and given.texture_kind == "Overlapping" else ():
             flattest = part * orientation.BEST_TILTS[0]
             if orientation.good_fraction(normals, areas, UPRIGHT, flattest) > WORTH_TRYING:
@@ -112,12 +114,26 @@ class Finder:
             last.extend(partial(self._incline, given, one) for one in other)
         return first, last
 
-    def _good_fraction(self, given):
-        """Of the texture as it is; 0 where its borders are bad, None where it cannot be made."""
+    def _laid_tries(self, given, normals, areas, machine):
+        """Functions that make a Remedy or None: the lattice laid on the faces, where it is not stretched
+        however steep they are; as the part lies, and leant so that few faces are flat or look away."""
+        if given.mapping != "Projected":
+            return
+        upright = orientation.good_fraction(normals, areas, UPRIGHT, laid=True)
+        leaning = orientation.leanings(normals, areas, laid=True)[0]
+        if upright > WORTH_TRYING:
+            yield partial(self._lay, given)
+        if leaning[0] > upright + MIN_GAIN and self.can_incline:
+            yield partial(self._incline, given, leaning, laid=True)
+        elif leaning[0] > upright + MIN_GAIN and machine is not None and machine.rotary_letters:
+            laid = replace(given, **LAID)
+            yield partial(self._lean, laid, leaning, normals, areas, LAID)
+
+    def _worth(self, given):
+        """Of the texture as it is; None where it cannot be made."""
         try:
             plan_texture(given)
-            found = self.assess(given, 3, whole=True)
-            return found.good_fraction if found.borders_are_good else 0.0
+            return self.assess(given, 3, whole=True).worth
         except InputError:
             return None
 
@@ -142,16 +158,17 @@ class Finder:
     def _values(self, given):
         return self._chosen_for(given, "values", {})
 
-    def _incline(self, given, leaning, finer=None):
+    def _incline(self, given, leaning, finer=None, laid=False):
         _, angle, axis = leaning
         fields = {} if finer is None else _finer_fields(given, finer)
+        fields.update(LAID if laid else {})
         asked = orientation.turned(replace(given, **fields), axis, angle)
         return self._chosen_for(asked, "incline", fields, axis, angle)
 
-    def _lean(self, given, leaning, normals, areas):
-        """The tool leant as the part would be, the other way round."""
+    def _lean(self, given, leaning, normals, areas, others=None):
+        """The tool leant as the part would be, the other way round; `others`: fields that `given` has new."""
         _, angle, axis = leaning
-        fields = {"tool_axis_mode": "Fixed", "fixed_axis": orientation.up_of(axis, angle)}
+        fields = {"tool_axis_mode": "Fixed", "fixed_axis": orientation.up_of(axis, angle), **(others or {})}
         fields.update(_seen_from(normals, areas))
         return self._chosen_for(replace(given, **fields), "lean", fields, axis, angle)
 
@@ -160,6 +177,10 @@ class Finder:
         fields = {"tool_axis_mode": "Normal", "lead": LEAD, "tilt": 0.0}
         fields.update(_seen_from(normals, areas))
         return self._chosen_for(replace(given, **fields), "along", fields, angle=LEAD)
+
+    def _lay(self, given):
+        """The lattice on the faces."""
+        return self._chosen_for(replace(given, **LAID), "lay", dict(LAID))
 
     def _finer(self, given, part):
         """Smaller dimples need less tilt."""
@@ -188,10 +209,10 @@ def _flat_is_short(found):
 
 def _helps(found, now):
     """Whether an Assessment is more than MIN_GAIN better than what is good `now`; beside nothing at all
-    (None) a texture helps that is good but for its borders."""
+    (None) a texture helps whatever its borders."""
     if now is None:
         return found.good_fraction > MIN_GAIN
-    return found.borders_are_good and found.good_fraction > now + MIN_GAIN
+    return found.worth > now + MIN_GAIN
 
 
 def _apart(leanings):
