@@ -175,6 +175,34 @@ RC_GTEST_PROP(LinkCorners, KeepThePhaseToAHundredthOfAUnit, ()) {
   for (const Vec3& c : corners) RC_ASSERT(c.z() >= r.safe_height - 1e-9);
 }
 
+// What a refusal says is followed: with so many extra turns it is planned, with fewer it is not.
+TEST(ConstantFeed, ItsRemedyWorks) {
+  const patch::Dimples dimples = patch::table1_dimples(6, 2, 1);
+  for (const FluteChoice flutes : {FluteChoice::Same, FluteChoice::Any})
+    for (const double feed : {1.0, 3.0, 8.0, 30.0}) {
+      ConstantFeed rule = paper_rule();
+      rule.feed = feed;
+      rule.phase.flutes = flutes;
+      rule.phase.extra_turns = 0.0;
+      try {
+        constant_feed_path(dimples, kTool, kM3, rule, Decimals(3));
+        FAIL() << "nothing is refused at " << feed;
+      } catch (const InputError& e) {
+        const std::string said = "at least ";
+        const std::size_t at = e.remedy().find(said);
+        ASSERT_NE(at, std::string::npos) << e.remedy();
+        const double extra = std::stod(e.remedy().substr(at + said.size()));
+        EXPECT_EQ(e.remedy().find("inf"), std::string::npos);
+        ConstantFeed followed = rule;
+        followed.phase.extra_turns = extra;
+        EXPECT_NO_THROW(constant_feed_path(dimples, kTool, kM3, followed, Decimals(3)))
+            << e.remedy();
+        followed.phase.extra_turns = extra - phase_period(kTool.flutes, flutes).turns();
+        EXPECT_THROW(constant_feed_path(dimples, kTool, kM3, followed, Decimals(3)), InputError);
+      }
+    }
+}
+
 TEST(ConstantFeed, ErrorsNameThePropertyAndTheRemedy) {
   const patch::Dimples dimples = patch::table1_dimples(4, 1, 1);
   auto property = [&](const Tool& tool, const Spindle& spindle, ConstantFeed rule,

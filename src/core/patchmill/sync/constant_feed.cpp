@@ -8,6 +8,10 @@
 #include "patchmill/sync/path_account.h"
 #include "patchmill/sync/planned_dimples.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include <fmt/format.h>
 
 namespace patchmill::sync {
@@ -72,22 +76,44 @@ class Polygons {
       last_ = b;
     }
   }
-  void end() { build_.end(rule_.clearance_height, decimals_); }
+  void end() {
+    if (short_) refuse_short();
+    build_.end(rule_.clearance_height, decimals_);
+  }
 
  private:
+  static constexpr double kSpared = 1e-3;  // of the way: what rounding may take away
+
+  // The first dimple that is further away than the tool gets.
+  struct Short {
+    double turns, distance;
+    std::int64_t number;
+  };
+
+  /// With the extra turns at which every dimple is in reach.
+  [[noreturn]] void refuse_short() const {
+    const double extra =
+        rule_.phase.extra_turns + std::ceil(std::max(missing_, 0.0) / period_) * period_;
+    throw InputError(
+        "Feed", fmt::format("{:.3f} mm/min", feed_ * 60.0),
+        fmt::format("{:.3f} turns take the tool {:.4f} mm, and dimple {} is {:.4f} mm away: give "
+                    "at least {:g} ExtraTurns.",
+                    short_->turns, short_->turns / turns_per_mm_, short_->number, short_->distance,
+                    extra));
+  }
+
   void step(const PlannedDimple& a, const PlannedDimple& b, const PlannedBatch& batch,
             std::size_t i) {
     const double turns = batch.turns[i], length = build_.length_for(turns);
-    if (batch.corners[i].holds_for(length))
+    if (!short_ && batch.corners[i].holds_for(length))
       return go(turns, batch.corners[i].fit(length, decimals_), b);
     const double distance = (b.tip - a.tip).norm();
-    if (length < distance)
-      throw InputError(
-          "Feed", fmt::format("{:.3f} mm/min", feed_ * 60.0),
-          fmt::format(
-              "{:.3f} turns take the tool {:.4f} mm, and dimple {} is {:.4f} mm away: give at "
-              "least {:.3f} mm/min, or more extra turns.",
-              turns, turns / turns_per_mm_, b.number, distance, 60.0 * feed_ * distance / length));
+    if (length < distance && !short_) short_ = Short{turns, distance, b.number};
+    if (short_) {  // what follows is looked at for what all of them need
+      const double needed = distance * turns_per_mm_ * (1.0 + kSpared);
+      missing_ = std::max(missing_, needed - turns);
+      return;
+    }
     const Vec3 ideal = apex(a.tip, b.tip, a.normal + b.normal, length);
     go(turns, fit_corner(a.tip, ideal, b.tip, length, decimals_, kGoodFit), b);
   }
@@ -103,6 +129,8 @@ class Polygons {
   const Decimals& decimals_;
   PlannedDimple last_{};
   bool begun_ = false;
+  std::optional<Short> short_;
+  double missing_ = 0.0;
 };
 
 }  // namespace
