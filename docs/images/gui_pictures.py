@@ -11,7 +11,9 @@ import driver
 import FreeCAD
 import FreeCADGui
 import Part
+from patchmill.freecad.preferences import remember_machine
 from patchmill_gui.forms import machine_editor, resources
+from patchmill_gui.panels import texture_head
 from pivy import coin
 from PySide import QtCore, QtGui
 
@@ -66,14 +68,22 @@ def textures():
     driver.select(part, face)
     picture("1_face_selected")
     operation, panel = begin("PatchMill_CurvedTexture", part, face, "CurvedTexture")
-    driver.ready(panel)
+    head = panel.advising.head
+    assert driver.wait(lambda: head.buttons, 900)
     picture("2_curved_panel")
+    head.buttons[0].click()
+    assert driver.wait(lambda: head.state == texture_head.GREEN, 900), head.bar.text()
+    assert driver.ready(panel)
+    picture("2_fixed")
     panel.page.previews["order"].setChecked(True)
     panel.page.previews["axes"].setChecked(True)
-    look_at((-18, -14, 24), 16.0)
+    driver.rest(2.0)
+    places = panel.result.places()  # the part is inclined now
+    middle = places.mean(axis=0)
+    look_at(places[((places - middle) ** 2).sum(axis=1).argmin()], 16.0)
     picture("3_order_and_axes")
     driver.accept(panel)
-    look_at((0, 0, 20), 75.0)
+    look_at(middle, 75.0)
     operation.ViewObject.Show = "Tool path"
     picture("4_tool_path")
     operation.ViewObject.Show = "Dimples"
@@ -110,8 +120,7 @@ def simulated(operation):
     FreeCADGui.Selection.clearSelection()
     panel = SimulatePanel(operation)
     FreeCADGui.Control.showDialog(panel)
-    panel.size.setValue(12.0)
-    panel.window = lambda: ((-24.0, -24.0), (-12.0, -12.0))  # a steep corner, where marks are single
+    panel.size.setValue(8.0)
     panel.simulate()
     assert driver.wait(lambda: panel.result is not None or panel.error is not None)
     points, _ = panel.result.surface(stride=10)
@@ -187,6 +196,7 @@ def machine():
 
 
 def main():
+    remember_machine("linuxcnc-mill")
     textures()
     milling()
     preferences()
