@@ -2100,6 +2100,18 @@ Spindel {:.0f}°</translation>
         <source>Goes on to where the check found something next</source>
         <translation>Geht weiter zur nächsten Stelle, an der die Prüfung etwas gefunden hat</translation>
     </message>
+    <message>
+        <source>{:.0f} % of the faces look away or are too steep as the part lies</source>
+        <translation>{:.0f} % der Flächen sehen weg oder sind zu steil, so wie das Teil liegt</translation>
+    </message>
+    <message>
+        <source>Lay the dimples along the faces</source>
+        <translation>Die Mulden entlang der Flächen legen</translation>
+    </message>
+    <message>
+        <source>{}, dimples laid along the faces</source>
+        <translation>{}, Mulden entlang der Flächen gelegt</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

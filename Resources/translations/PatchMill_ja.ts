@@ -2100,6 +2100,18 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>Goes on to where the check found something next</source>
         <translation>検査で見つかった次の箇所へ進みます</translation>
     </message>
+    <message>
+        <source>{:.0f} % of the faces look away or are too steep as the part lies</source>
+        <translation>部品の今の向きでは、面の {:.0f} % が反対側を向いているか、急すぎます</translation>
+    </message>
+    <message>
+        <source>Lay the dimples along the faces</source>
+        <translation>ディンプルを面に沿って並べる</translation>
+    </message>
+    <message>
+        <source>{}, dimples laid along the faces</source>
+        <translation>{}、ディンプルを面に沿って配置</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>
