@@ -170,8 +170,8 @@ def _seconds(operation):
 
 
 def _display_set_aside(operation):
-    """Hides what the operation shows, dimples or its whole path: only what has been cut is to be seen. Returns
-    what brings it back."""
+    """Hides what the operation shows, dimples or its whole path: only what has been cut is to be seen.
+    Returns what brings it back."""
     scene = getattr(operation.ViewObject.Proxy, "scene", None)
     parts = getattr(scene, "parts", scene)
     return parts.set_aside() if parts is not None else lambda: None
