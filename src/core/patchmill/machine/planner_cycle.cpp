@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/machine/planner_cycle.h"
 
+#include "patchmill/machine/passing_axes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,6 @@ namespace {
 
 constexpr double kArrived = 1e-12;     // mm
 constexpr double kAtRest = 1e-8;       // mm/s
-constexpr double kSeen = 1e-9;         // mm
 constexpr double kInstant = 1e-12;     // s
 constexpr double kSame = 1e-6;         // periods
 constexpr double kRampSeconds = 0.01;  // pieces of less are passed with one even acceleration
@@ -73,52 +74,11 @@ class Lock {
   int periods_ = 0;
 };
 
-// Where the axes are, and so when they pass the moves' ends.
-class Axes {
- public:
-  Axes(const std::vector<PathPiece>& pieces, const Lock& lock, double period, std::size_t moves)
-      : pieces_(pieces), lock_(lock), period_(period), ends_(moves) {}
-
-  /// The tool has stopped at the end of piece `i` at `time`.
-  void stopped(std::size_t i, double time) { pass(i, time); }
-  /// It is `way` along the path at `time`.
-  void sample(double way, double time) {
-    const double mean = (before_ + 4.0 * now_ + way) / 6.0;
-    for (; next_ < pieces_.size(); ++next_) {
-      const PathPiece& piece = pieces_[next_];
-      const bool marked = piece.mark >= 0.0 && !piece.stop;
-      const double end = start_ + (marked ? piece.mark : piece.length);
-      if (end > mean + kSeen) break;
-      const double share =
-          mean > mean_ ? std::clamp((end - mean_) / (mean - mean_), 0.0, 1.0) : 1.0;
-      if (marked) pass(next_, time - (2.0 - share) * period_);
-      start_ += piece.length;
-    }
-    mean_ = mean;
-    before_ = now_;
-    now_ = way;
-  }
-  std::vector<Passing> ends() { return std::move(ends_); }
-
- private:
-  void pass(std::size_t i, double time) { ends_[pieces_[i].move] = {time, lock_.turns(time)}; }
-
-  const std::vector<PathPiece>& pieces_;
-  const Lock& lock_;
-  double period_;
-  std::vector<Passing> ends_;
-  std::size_t next_ = 0;  // the first piece whose mark has not been passed
-  double start_ = 0.0;    // of that piece, along the path
-  double before_ = 0.0, now_ = 0.0, mean_ = 0.0;
-};
-
 class Planner {
  public:
-  Planner(const std::vector<PathPiece>& pieces, double period, double rate, std::size_t moves)
-      : pieces_(pieces),
-        period_(period),
-        lock_(rate, period),
-        axes_(pieces, lock_, period, moves) {}
+  Planner(const std::vector<PathPiece>& pieces, double period, double rate,
+          const std::vector<double>& back)
+      : pieces_(pieces), period_(period), lock_(rate, period), axes_(pieces, period, rate, back) {}
 
   std::vector<Passing> run() {
     if (!pieces_.empty()) begin(here_, 0);
@@ -126,7 +86,7 @@ class Planner {
     while (at_ < pieces_.size()) one_period();
     for (int i = 0; i < 3; ++i) {
       time_ += period_;
-      axes_.sample(done_, time_);
+      axes_.sample(done_, {time_, lock_.turns(time_)});
     }
     return axes_.ends();
   }
@@ -170,7 +130,7 @@ class Planner {
     else
       update(p, here_, piece(at_ + 1), next_);
     time_ = std::round(time_ / period_ + 1.0) * period_;
-    axes_.sample(done_ + here_.way + next_.way, time_);
+    axes_.sample(done_ + here_.way + next_.way, {time_, lock_.turns(time_)});
     if (here_.done) complete(p);
   }
 
@@ -193,7 +153,7 @@ class Planner {
 
   void complete(const PathPiece& p) {
     if (p.pitch > 0.0) lock_.finish(p);
-    if (p.stop) axes_.stopped(at_, time_);
+    if (p.stop) axes_.stopped(at_, {time_, lock_.turns(time_)});
     done_ += p.length;
     ++at_;
     here_ = next_;
@@ -273,7 +233,12 @@ class Planner {
 
 std::vector<Passing> planner_cycles(const std::vector<PathPiece>& pieces, double period,
                                     double rate, std::size_t moves) {
-  return Planner(pieces, period, rate, moves).run();
+  return planner_cycles(pieces, period, rate, std::vector<double>(moves, 1.0));
+}
+
+std::vector<Passing> planner_cycles(const std::vector<PathPiece>& pieces, double period,
+                                    double rate, const std::vector<double>& back) {
+  return Planner(pieces, period, rate, back).run();
 }
 
 }  // namespace patchmill::machine

@@ -3,7 +3,7 @@
 #include "patchmill/machine/predict_motion.h"
 
 #include "patchmill/geometry/stop.h"
-#include "patchmill/machine/planner_cycle.h"
+#include "patchmill/machine/passing_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +50,19 @@ double seconds_at_least(const std::vector<PathPiece>& pieces, double turns_per_s
   return seconds;
 }
 
+// For each move the cosine between the way back from its end and the way on.
+std::vector<double> ways_back(const ToolPath& path) {
+  std::vector<double> back(path.moves.size(), 1.0);
+  Vec3 from = path.start.tip;
+  for (std::size_t i = 0; i + 1 < back.size(); ++i) {
+    const Vec3 &at = path.moves[i].end.tip, in = from - at, out = path.moves[i + 1].end.tip - at;
+    const double size = in.norm() * out.norm();
+    if (size > 0.0) back[i] = in.dot(out) / size;
+    from = at;
+  }
+  return back;
+}
+
 }  // namespace
 
 Prediction predict(const ToolPath& path, const MotionModel& model, double speed_ratio) {
@@ -65,7 +78,7 @@ Prediction predict(const ToolPath& path, const MotionModel& model, double speed_
         {}};
   if (!(seconds_at_least(cut.pieces, rate) < kMaxPeriods * model.period))
     return {false, fmt::format("it takes over {:.0e} periods of the controller", kMaxPeriods), {}};
-  return {true, {}, planner_cycles(cut.pieces, model.period, rate, path.moves.size())};
+  return {true, {}, planner_cycles(cut.pieces, model.period, rate, ways_back(path))};
 }
 
 }  // namespace patchmill::machine
