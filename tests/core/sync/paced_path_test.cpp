@@ -199,7 +199,7 @@ bool parted_about(const std::vector<Move>& moves, std::size_t i) {
 // nearly as deep all the while that it passes, so that it would mark deepest beside them: there the way leads up from
 // every dimple, and only there.
 TEST(PacedPath, LeadsUpFromDimplesNearTheTip) {
-  const auto [dimples, path] = over_a_bump(1000.0, 2000.0);
+  const auto [dimples, path] = over_a_bump(1000.0, 4000.0);
   const std::vector<Move>& moves = path.moves;
   int parted = 0, straight = 0;
   for (std::size_t i = 2; i + 2 < moves.size(); ++i) {

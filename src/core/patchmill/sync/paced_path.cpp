@@ -26,6 +26,7 @@ constexpr double kAside = 0.005;  // of a step: how far beside a dimple its mark
 // What half a step takes at least where it is parted: pieces of less than 10 ms are passed with one even acceleration
 // (planner_cycle.h), and a lock does not keep its phase on them.
 constexpr double kHalfSeconds = 0.012;
+constexpr double kHalfStop = 0.009;  // s: v / a, above which the model has it lose its phase there
 
 void require_valid(const PacedRule& rule, std::size_t dimples, const Tool& tool,
                    const Spindle& spindle, const machine::MotionModel& model) {
@@ -129,12 +130,11 @@ class Builder {
     result_.path.moves.push_back({{decimals_.round(tip), Vec3::UnitZ()}});
   }
 
-  /// Whether a lock keeps its phase in halves of a step: the controller begins a piece as if it had to stop at its end,
-  /// and must not be slower for that.
+  /// Whether a lock keeps its phase in halves of a step.
   bool can_part(const RowStep& step) const {
     const double speed = step.pitch() * spindle_.speed;
     return 0.5 * step.turns >= kHalfSeconds * spindle_.speed &&
-           speed * speed <= acceleration_along(model_, step.direction) * 0.5 * step.length;
+           speed <= kHalfStop * acceleration_along(model_, step.direction);
   }
   /// How much higher than the straight way step i must be in its middle, so that it leads up from both its dimples [mm].
   /// Where the surface bends away from a row, straight ways lead below the tangent planes of the dimples; and where
