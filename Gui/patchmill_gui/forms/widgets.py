@@ -150,7 +150,7 @@ class ProgressBar(QtGui.QProgressBar):
         self.show()
 
     def show_share(self, share, seconds):
-        """`share` of the work is done, 0 to 1; about so many seconds are left, which nobody knows at first."""
+        """`share` of the work is done, 0 to 1; about so many seconds are left: at first nobody knows."""
         self.setRange(0, 1000)
         self.setValue(int(1000 * share))
         if self.value():
