@@ -1,5 +1,5 @@
-// When the axes pass a stop: they follow the mean (1, 4, 1) / 6 of the planner's places, so they are nearest in the period
-// before it, in its own or after it, or as near in two.
+// When the axes pass a stop: they follow the mean (1, 4, 1) / 6 of the planner's places, so they are nearest in the
+// period before it, in its own or after it, or as near in two.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/machine/passing_axes.h"
 
@@ -11,7 +11,8 @@ namespace {
 constexpr double kPeriod = 1e-3, kRate = 20.0;
 
 // A move of 1 mm and one back: the planner is so far from the stop between them [mm] one and two periods before it,
-// and one and two after it; `back`: cosine of the angle between the ways. When the axes pass it, in periods after the planner.
+// and one and two after it; `back`: cosine of the angle between the ways. When the axes pass it, in periods after the
+// planner.
 double passing(double earlier, double before, double after, double later, double back = 1.0) {
   PathPiece piece;
   piece.length = 1.0;

@@ -16,8 +16,8 @@ namespace patchmill::machine {
 constexpr double kSeen = 1e-9;    // mm
 constexpr double kStands = 1e-6;  // mm: axes that move less stand
 
-/// The same as planner_cycles(), with `back`: for each move the cosine between the way back from its end and the way on.
-/// Where that is not given the tool goes back the way that it came.
+/// The same as planner_cycles(), with `back`: for each move the cosine between the way back from its end and the way
+/// on. Where that is not given the tool goes back the way that it came.
 std::vector<Passing> planner_cycles(const std::vector<PathPiece>& pieces, double period,
                                     double rate, const std::vector<double>& back);
 

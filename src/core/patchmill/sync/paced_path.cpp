@@ -136,10 +136,10 @@ class Builder {
     return 0.5 * step.turns >= kHalfSeconds * spindle_.speed &&
            speed <= kHalfStop * acceleration_along(model_, step.direction);
   }
-  /// How much higher than the straight way step i must be in its middle, so that it leads up from both its dimples [mm].
-  /// Where the surface bends away from a row, straight ways lead below the tangent planes of the dimples; and where
-  /// normal and tool nearly meet, a flute is nearly as deep all the while that it passes. Then marks are deepest beside
-  /// their dimples.
+  /// How much higher than the straight way step i must be in its middle, so that it leads up from both its dimples
+  /// [mm]. Where the surface bends away from a row, straight ways lead below the tangent planes of the dimples; and
+  /// where normal and tool nearly meet, a flute is nearly as deep all the while that it passes. Then marks are
+  /// deepest beside their dimples.
   double crown(std::size_t i) const {
     const RowStep& step = steps_[i];
     if (rule_.pace != Pace::SpindleLocked || !rule_.phase.azimuths.empty() || !can_part(step))
