@@ -75,7 +75,7 @@ class ControlWords(WithDocuments):
                 try:
                     text = self.posted(job, "patchmill_" + name)
                 except InputError as error:
-                    self.assertIn(error.property, ("Path", "PostProcessor"))
+                    self.assertIn(error.property, ("Custom", "PostProcessor"))
                     self.assertFalse(name == "linuxcnc" and line in words, error)
                 else:
                     between = re.search(r"X\+?0\.000.*?X\+?3\.000", text, re.S).group(0)

@@ -86,7 +86,7 @@ class Files(unittest.TestCase):
         self.assertIn("pipe", self.refused("filename", files.write, self.name, NEW))
         self.assertTrue(stat.S_ISFIFO(os.stat(self.name).st_mode))
         bad = ["", "/dev/null", self.folder, os.path.join(self.folder, "no", "x"), "a\0b"]
-        for name in [*bad, os.path.join(self.folder, "n" * 300)]:
+        for name in [*bad, os.path.join(self.folder, "n" * 300), os.path.join(self.folder, "\udc80" * 256)]:
             self.refused("filename", files.write, name, NEW)
         self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
 

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import math
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -108,7 +109,11 @@ class FiveAxis(unittest.TestCase):
                 if good:
                     self.assertAlmostEqual(patchmill.recompute(op).posture.load["rate"], 1 / share, places=6)
                 else:
-                    self.refused("ToolAxis", op)
+                    said = self.refused("ToolAxis", op)
+                    speed = int(re.search(r"at (\d+) rpm or less", said.remedy).group(1))
+                    op.ToolController.SpindleSpeed, before = speed, op.ToolController.SpindleSpeed
+                    self.assertLessEqual(patchmill.recompute(op).posture.load["rate"], 1.0)
+                    op.ToolController.SpindleSpeed = before
             limits = machines.load("table-table-ac").data["linear_axes"]
             self.machine_with(linear_axes=dict(limits, limits_mm={"X": [-0.5, 0.5]}))
             self.refused("Machine", op)
@@ -179,6 +184,7 @@ class FiveAxis(unittest.TestCase):
         with self.assertRaises(patchmill.InputError) as caught:
             patchmill.recompute(op)
         self.assertEqual(caught.exception.property, named, caught.exception)
+        return caught.exception
 
     def test_what_cannot_be_is_refused(self):
         _, _, op = five_axis_job("linuxcnc-mill")

@@ -14,7 +14,14 @@ from patchmill.freecad import host
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.computed import planned
 from patchmill.operations.copy_input import UNDERCUTS
-from patchmill.posting import control_match, kept_words, program_header, requirements, rest_of_job
+from patchmill.posting import (
+    control_match,
+    job_words,
+    kept_words,
+    program_header,
+    requirements,
+    rest_of_job,
+)
 from patchmill.posting.control_match import own_dialect
 from patchmill.verify import checks, posted_job, posted_milling
 from patchmill.verify.posted_texture import PostedTexture
@@ -81,8 +88,10 @@ def _ready(job, post_name, arguments):
     arguments = job.PostProcessorArgs if arguments is None else arguments
     words = requirements.split_arguments(arguments)
     requirements.check_offsets(job.Fixtures)
+    job_words.require_lines([op for op in job.Operations.Group if host.is_active(op)])
     operations = _active_operations(job)
     requirements.require_memory(operations, job.Fixtures)
+    requirements.check_tools(operations)
     textures = [op for op in operations if kind_of(op) == TEXTURE]
     plans = [planned(op) for op in textures]
     post_name = post_name or control_match.post_for(plans)
@@ -94,6 +103,7 @@ def _ready(job, post_name, arguments):
         requirements.check_calibration(plan)
         requirements.check_arguments(post_name, plan, words, machine)
     own = own_dialect(post_name)
+    job_words.require_own(operations, job.Fixtures, own)
     decimals = requirements.decimals_of(post_name, words, machine)
     control_match.require(post_name, own.dialect if own else "", decimals, plans)
     tilted = [dressup for op in operations if (dressup := posted_milling.posture_of(op)) is not None]
@@ -122,6 +132,7 @@ def _read_back(ready, text, progress, objects=None):
     `progress` returned False. Raises InputError naming what it does not, or what gouges."""
     own, arguments = ready.own, ready.arguments
     if own is None:
+        kept_words.require_labels(ready.post_name, ready.operations, text)
         kept_words.require(ready.post_name, ready.operations, text)
     half_unit = 0.5 * 10.0**-ready.decimals
     if "--inches" in requirements.split_arguments(arguments):
@@ -210,7 +221,10 @@ def _single_text(job, post_name, arguments):
         parts = host.post_parts(job, post_name, arguments + " --no-compare" * own)
     except InputError:  # our own posts say what it is
         raise
-    except (Exception, SystemExit) as error:  # somebody's program: it may fail in any way
+    except SystemExit as error:  # argparse's, which has told the standard error why
+        remedy = "it does not take the arguments %r: change them, or use another post-processor." % arguments
+        raise InputError("PostProcessor", post_name, remedy) from error
+    except Exception as error:  # somebody's program: it may fail in any way
         remedy = "it failed (%s: %s): use another post-processor." % (type(error).__name__, error)
         raise InputError("PostProcessor", post_name, remedy) from error
     finally:
@@ -226,7 +240,7 @@ def _single_text(job, post_name, arguments):
 
 def tool_of(op):
     """Number of the tool of an operation or dressup; 0 if it has none."""
-    controller = posted_job.controller_of(op)
+    controller = posted_milling.controller_of(op)
     return 0 if controller is None else controller.ToolNumber
 
 

@@ -8,6 +8,8 @@ import re
 
 from _patchmill import InputError
 
+from patchmill.verify import posted_milling
+
 COMMENT = re.compile(r"\([^)]*\)|;.*")
 WORD = re.compile(r"([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))")
 TOOL = ("M3", "M03", "M4", "M04", "M6", "M06")  # S and T, which are compared with the tool controller's
@@ -39,6 +41,17 @@ def require(post_name, objects, text):
         if (letter, value) not in found:
             remedy = "it does not keep %s%g of %s: use one of PatchMill's own posts."
             raise InputError("PostProcessor", post_name, remedy % (letter, value, obj.Label))
+
+
+def require_labels(post_name, objects, text):
+    """Raises InputError naming Label if a text has the label of one of a job's `objects`, or of its tool
+    controller, and a control would not take all of it for a comment."""
+    controllers = [posted_milling.controller_of(op) for op in objects]
+    for obj in [*objects, *filter(None, controllers)]:
+        plain = re.fullmatch(r"[ -'*-~]{0,200}", obj.Label)  # no parentheses, no more than a line
+        if not plain and obj.Label in text:
+            remedy = "%s writes it as it is: use letters and digits, or one of PatchMill's own posts."
+            raise InputError("Label", repr(obj.Label), remedy % post_name)
 
 
 def _rare(commands):

@@ -16,7 +16,7 @@ from patchmill import posting
 from patchmill.system import files
 from patchmill.freecad import host
 from patchmill.path.read_text import text_of
-from patchmill.posting import program_header
+from patchmill.posting import job_words, program_header
 
 MOST_DECIMALS = 6
 
@@ -46,7 +46,7 @@ class Dialect:
         """The options of an argument string. Raises InputError for what is not understood."""
         try:
             options, unknown = self.parser.parse_known_args(shlex.split(arguments or ""))
-        except (argparse.ArgumentError, ValueError, SystemExit) as error:
+        except (argparse.ArgumentError, ValueError) as error:
             raise InputError("PostProcessorArgs", arguments, "%s cannot read it: %s." % (self.post, error))
         if unknown:
             raise InputError("PostProcessorArgs", " ".join(unknown), "%s does not know it." % self.post)
@@ -60,24 +60,28 @@ class Dialect:
         objects = [o for o in objects if hasattr(o, "Path") and _active(o)]
         header = program_header.lines(objects, self.controller) if options.header else []
         machine = program_header.machine_of(objects)
-        return core.write_program(
-            [_text(o) for o in objects],
-            self.dialect,
-            precision=self.precision(arguments, machine),
-            line_numbers=options.line_numbers,
-            comments=options.comments,
-            modal=options.modal,
-            axis_modal=options.axis_modal,
-            tool_length=options.tlo,
-            name=_name(objects),
-            number=options.program_number,
-            header=header,
-            preamble=(options.preamble or "").replace("\\n", "\n"),
-            postamble=(options.postamble or "").replace("\\n", "\n"),
-            stock=host.stock_corners(objects),
-            own=[_is_own(o) for o in objects],
-            **_machine_words(machine, self.dialect),
-        )
+        texts = [_text(o) for o in objects]
+        try:
+            return core.write_program(
+                texts,
+                self.dialect,
+                precision=self.precision(arguments, machine),
+                line_numbers=options.line_numbers,
+                comments=options.comments,
+                modal=options.modal,
+                axis_modal=options.axis_modal,
+                tool_length=options.tlo,
+                name=_name(objects),
+                number=options.program_number,
+                header=header,
+                preamble=(options.preamble or "").replace("\\n", "\n"),
+                postamble=(options.postamble or "").replace("\\n", "\n"),
+                stock=host.stock_corners(objects),
+                own=[_is_own(o) for o in objects],
+                **_machine_words(machine, self.dialect),
+            )
+        except InputError as error:
+            raise _of_operation(error, objects, texts) from error
 
     def compared(self, objects, arguments):
         """The program, read back and checked as patchmill.post() does it, which says --no-compare and does so
@@ -122,8 +126,15 @@ class Dialect:
         return Processor
 
 
+class _Parser(argparse.ArgumentParser):
+    """One that says what is wrong to who asks, not to the standard error, and does not end FreeCAD."""
+
+    def error(self, message):
+        raise ValueError(message)
+
+
 def _parser(post, precision, modal, line_numbers):
-    parser = argparse.ArgumentParser(prog=post, add_help=False)
+    parser = _Parser(prog=post, add_help=False)
 
     def pair(word, default, text):
         name = word.replace("-", "_")
@@ -189,7 +200,19 @@ def _text(obj):
         text = core.with_feeds(text, feeds)
     if mode in ("Flood", "Mist"):
         return "%s\n%s\nM9\n" % ({"Flood": "M8", "Mist": "M7"}[mode], text)
+    if not _is_own(obj) and job_words.leaves_coolant(obj):  # the next one finds it as it was
+        return text + "\nM9\n"
     return text
+
+
+def _of_operation(error, objects, texts):
+    """An InputError of the core's writer that names a block of a path, naming the operation that has it."""
+    block = str(error.value)[1:-1]
+    if error.property == "Path":
+        for obj, text in zip(objects, texts):
+            if block in text.splitlines():
+                return InputError(obj.Label, block, error.remedy)
+    return error
 
 
 def _feeds(obj):

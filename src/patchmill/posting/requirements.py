@@ -23,6 +23,8 @@ BYTES_PER_COMMAND = 2200
 
 def split_arguments(arguments):
     """The words of an argument string. Raises InputError naming PostProcessorArgs."""
+    if not arguments.isascii():
+        raise InputError("PostProcessorArgs", arguments, "programs are in ASCII letters: use no others.")
     try:
         return shlex.split(arguments)
     except ValueError as error:
@@ -38,6 +40,21 @@ def check_offsets(offsets):
         if not re.fullmatch(r"G5[4-9]|G59\.[123]|G54\.1 P[1-9]\d*", name.strip().upper(), re.ASCII):
             remedy = "it is no work offset of a control: choose G54 to G59.3 in the job's setup."
             raise InputError("Fixtures", name or "''", remedy)
+        if [other.strip().upper() for other in offsets].count(name.strip().upper()) > 1:
+            remedy = "it stands twice, and all would be milled twice at one place: name it once."
+            raise InputError("Fixtures", name, remedy)
+
+
+def check_tools(operations):
+    """Raises InputError naming ToolNumber if different tools have one number: one of them would mill both."""
+    known: dict = {}
+    for controller in filter(None, map(posted_milling.controller_of, operations)):
+        bit = controller.Tool
+        tool = host.tool_kind(bit), float(getattr(bit, "Diameter", 0.0))
+        other = known.setdefault(controller.ToolNumber, (tool, controller))
+        if other[0] != tool:
+            remedy = "%s and %s have it, and are different tools: give one of them another number."
+            raise InputError("ToolNumber", controller.ToolNumber, remedy % (other[1].Label, controller.Label))
 
 
 def require_memory(operations, offsets):

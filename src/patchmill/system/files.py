@@ -42,7 +42,7 @@ def require_place(filename, name="filename"):
     except (OSError, ValueError) as error:
         remedy = "there can be no such file (%s): give another name." % error
         raise InputError(name, repr(asked), remedy) from error
-    if not good or os.path.isdir(path) or len(os.path.basename(path).encode()) > 255:
+    if not good or os.path.isdir(path) or len(os.fsencode(os.path.basename(path))) > 255:
         raise InputError(name, repr(asked), "name a file in a folder that can be written to.")
     if there and not stat.S_ISREG(there.st_mode):
         raise InputError(name, repr(asked), "it is a device or a pipe, not a file: name another one.")

@@ -5,7 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from dataclasses import dataclass
-from math import radians
+from math import floor, radians
 
 import _patchmill as core
 import numpy as np
@@ -101,19 +101,24 @@ def finish(posture, path, given, machine):
     """Fills in the posture's paths from `path`, which a strategy planned for the ball centre, and returns
     the text for Path.Path(). Raises InputError naming the axis that is too slow."""
     posture.work = core.with_postures(path, posture.postures, posture.kinematics, given.decimals)
-    return _told(posture, machine, given.decimals)
+    return _told(posture, machine, given.decimals, given.keeps_phase.polygons)
 
 
-def _told(posture, machine, decimals):
+def _told(posture, machine, decimals, polygons=False):
     """Fills in what the controller is told of posture.work; returns the text."""
     posture.told = core.programmed(posture.work, posture.kinematics, posture.form, decimals)
     posture.load = load = core.axis_load(posture.kinematics, posture.work)
     if load["rate"] > 1.0:
+        most = floor(60.0 * posture.work.path.spindle.speed / load["rate"])
+        slower = "turn the spindle more slowly"
+        if polygons:  # they take the same turns at any speed; other paths take as few as the machine can
+            slower = "add ExtraTurns, or turn the spindle at %d rpm or less" % most
         raise InputError(
             "ToolAxis",
             "axis %s" % load["rate_axis"],
             "it would have to turn at %.1f times its greatest velocity in move %d: smooth the tool axes, "
-            "turn the spindle more slowly, or add extra turns." % (load["rate"], load["rate_move"]),
+            "or %s."
+            % (load["rate"], load["rate_move"], slower),
         )
     if load["overtravel_mm"] > 0.0:
         raise InputError(

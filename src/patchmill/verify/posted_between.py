@@ -21,7 +21,7 @@ COOLANT = {"Flood": 8.0, "Mist": 7.0}
 def words_of(commands):
     """Words of a path as (letter, value): those of the commands' names and beside them; no F, no comments."""
     for command in commands:
-        if re.fullmatch(r"[GMT]\d+(\.\d+)?", command.Name):
+        if re.fullmatch(r"[GMST]\d+(\.\d+)?", command.Name):
             yield command.Name[0], float(command.Name[1:])
         yield from ((k, v) for k, v in command.Parameters.items() if k != "F")
 
@@ -65,6 +65,8 @@ class Allowed:
         scale = unit if letter in LENGTHS else 1.0
         rounded = letter in LENGTHS + ROTARY or (letter in "PQE" and not self.own)
         off = near if rounded else 1e-6
+        if letter == "S" and not self.own:  # others write whole ones
+            off = 0.5000001
         return letter == "F" or any(abs(scale * value - v) <= off for v in self.values.get(letter, ()))
 
 

@@ -16,6 +16,7 @@ from patchmill.freecad import host
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.computed import planned
 from patchmill.verify import posted_between, posted_milling, posted_texture
+from patchmill.verify.posted_milling import controller_of
 from patchmill.verify.posted_program import COMMENT, PostedProgram, offset_number
 
 OTHER_WORDS = r"M(?!0?[26]$|30$)\d+|G(4|04|10|28|30|43|53|92)(\.\d)?"  # that belong to an operation alone
@@ -65,8 +66,9 @@ class _Reading:
         """Words of operations that move nothing are there before the next operation's first move."""
         for op, first, command in self.due:
             wanted = {(command.Name[0], float(command.Name[1:])), *command.Parameters.items()}
+            wanted = {word for word in wanted if word[0] != "F"}  # those of moves are compared with them
             between = [words for number, words in self.words if first <= number < line]
-            if "G" in command.Parameters:  # G91 G0 Z5: a control may want a block for each G word
+            if {"G", "M"} & set(command.Parameters):  # G91 G0 Z5: a control may want a block for each word
                 between = [[word for words in between for word in words]]
             if not any(_holds(words, wanted, self.half_unit) for words in between):
                 said = command.toGCode().strip()
@@ -205,13 +207,15 @@ class _Reading:
 
     def _require_coolant(self, op, run):
         mode = host.coolant_of(op)
-        if mode not in COOLANT:
-            return
+        itself = {7.0, 8.0, 9.0} & {v for k, v in posted_between.words_of(op.Path.Commands) if k == "M"}
         on: set[str] = set()
         for line in self.lines[: self.program.line_of(run.first)]:
             for word in re.findall(r"\bM0?([789])\b", line):
                 on = on | {"M" + word} if word != "9" else set()
-        if COOLANT[mode] not in on:
+        if mode == "None" and on and not itself:
+            remedy = "the program has it on where %s begins: end the operation before by M9."
+            raise InputError("CoolantMode", "None", remedy % op.Label)
+        if mode in COOLANT and COOLANT[mode] not in on and not itself:
             remedy = "the program does not switch it on for %s: choose None, or another post-processor."
             raise InputError("CoolantMode", mode, remedy % op.Label)
 
@@ -268,12 +272,6 @@ def _require_in_order(op, found, wanted, near):
             raise InputError(op.Label, said, remedy % " ".join("%s%g" % word for word in right.items()))
     if len(found) > len(wanted):
         raise InputError(op.Label, "other words G61 and G64", "use another post-processor.")
-
-
-def controller_of(op):
-    """The tool controller of an operation, or of the one under dressups; None if there is none."""
-    parts = (op, *posted_milling.with_those_under(op))
-    return next((part.ToolController for part in parts if hasattr(part, "ToolController")), None)
 
 
 def _has_other_words(command):

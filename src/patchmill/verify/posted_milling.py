@@ -47,6 +47,12 @@ def with_those_under(op):
             yield from with_those_under(under)
 
 
+def controller_of(op):
+    """The tool controller of an operation, or of the one under dressups; None if there is none."""
+    parts = (op, *with_those_under(op))
+    return next((part.ToolController for part in parts if hasattr(part, "ToolController")), None)
+
+
 def is_milling(op):
     """Whether an operation or dressup of a job is read back here: it or what is under it is ours."""
     return any(kind_of(part) in (COPY_MILLING, DCM) for part in with_those_under(op))
@@ -128,7 +134,7 @@ def unknown(operation, why):
 def told_by(commands):
     """posted_program.Told of Path.Command objects, from the first to the last that takes time. Raises
     InputError for what cannot be read."""
-    if any(command.Name in ARCS or command.Name in MODES for command in commands):
+    if any(c.Name in ARCS or c.Name in MODES or "G" in c.Parameters for c in commands):
         return _told_by_reading(commands)
     at = dict.fromkeys(AXES[:3], np.nan) | dict.fromkeys(AXES[3:], 0.0)
     feed, inverse = np.nan, False
@@ -154,12 +160,16 @@ def _told_by_reading(commands):
     """The same of paths with arcs, cycles and relative moves: as the reader of programs takes them."""
     lines, kinds = ["G17 G21 G90 G94", "M3 S60"], [None, None]
     for command in commands:
-        if re.fullmatch(r"G\d+(\.\d)?", command.Name) and command.Name not in NOT_READ:
-            words = [(k, 60.0 * v if k == "F" else v) for k, v in command.Parameters.items()]
-            if command.Name in ARCS:  # FreeCAD gives three words for a centre, two of them in the plane
+        beside = ["G%g" % v for k, v in command.Parameters.items() if k == "G"]  # G90 G1 X5, N10 G1 X5
+        names = [name for name in [command.Name, *beside] if re.fullmatch(r"G\d+(\.\d)?", name)]
+        names = [name for name in names if name not in NOT_READ]
+        if names:
+            words = [(k, 60.0 * v if k == "F" else v) for k, v in command.Parameters.items() if k != "G"]
+            arc = next(filter(ARCS.__contains__, names), None)
+            if arc:  # FreeCAD gives three words for a centre, two of them in the plane
                 words = [(k, v) for k, v in words if k not in "IJK" or round(v, 6) != 0.0]
-            lines.append(command.Name + "".join(" %s%.6f" % word for word in words))
-            kinds.append(command.Name)
+            lines.append(" ".join(names) + "".join(" %s%.6f" % word for word in words))
+            kinds.append(arc)
     program = PostedProgram("\n".join(lines) + "\n", "linuxcnc")
     if not len(program):
         return trimmed(np.zeros((0, 6)), np.zeros(0, bool))
