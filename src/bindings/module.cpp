@@ -9,6 +9,15 @@
 #include <tbb/global_control.h>
 
 namespace patchmill {
+namespace {
+
+// A text of an error for Python. It may quote a piece of what was read, and that begin or end within a character.
+py::object text_of(const std::string& text) {
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+}
+
+}  // namespace
 
 void bind_errors(py::module_& m) {
   py::exec(R"(
@@ -28,7 +37,7 @@ class InputError(ValueError):
       if (p) std::rethrow_exception(p);
     } catch (const InputError& e) {
       const py::object type = py::module_::import("_patchmill").attr("InputError");
-      const py::object error = type(e.property(), e.value(), e.remedy());
+      const py::object error = type(text_of(e.property()), text_of(e.value()), text_of(e.remedy()));
       PyErr_SetObject(type.ptr(), error.ptr());
     }
   });

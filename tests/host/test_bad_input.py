@@ -11,6 +11,7 @@ import tempfile
 import unittest
 from unittest import mock
 
+import _patchmill as core
 import FreeCAD
 import patchmill
 
@@ -177,6 +178,12 @@ class Macros(unittest.TestCase):
         wish = dict(diameter=2, flutes=2, speed=1000, side=14, spacing=0.5)
         for name, property_name in (("diameter", "Diameter"), ("speed", "SpindleSpeed")):
             self.refused(property_name, patchmill.advise, **dict(wish, **{name: -1.0}))
+
+    def test_an_error_that_quotes_a_piece_of_a_character_is_a_sentence(self):
+        for text in ("G21\nG0 X1 Ä2\n", "G0 X1\u200b\n", "G1 X1 €\n"):
+            with self.assertRaises(patchmill.InputError) as caught:
+                core.read_gcode(text, core.Tool(1.0, 2))
+            self.assertIn("line", str(caught.exception))
 
     def test_a_check_that_looked_at_nothing_is_unknown(self):
         result = patchmill.check(self.operation, first_move=10**9)
