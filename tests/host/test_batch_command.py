@@ -57,7 +57,7 @@ class Programs(WithFolder):
         status, said = call("check", self.program)
         self.assertEqual(status, 0, said)
         self.assertRegex(
-            said, r"^G54 Texture1: 64 dimples, phase error at most 0\.\d+°.*Clear"
+            said, r"^G54 Texture1: 64 dimples, \d+ min \d\d s, phase error at most 0\.\d+°.*Clear"
         )
         self.assertEqual(call("check", self.path("a", "part.FCStd"), self.program), (status, said))
 

@@ -7,7 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 import time
 
-from _patchmill import InputError
+from _patchmill import NO_DIMPLE, InputError
 from patchmill.verify import checks
 from PySide import QtCore, QtGui
 
@@ -125,7 +125,9 @@ class PlayerPanel(WorkPanel):
         self.slider.blockSignals(True)
         self.slider.setValue(int(STEPS * self.moment / self.line.seconds) if self.line.seconds else 0)
         self.slider.blockSignals(False)
-        dimple = self.line.dimples[move]
+        dimple, goal = self.line.dimples[move], ""
+        if dimple != NO_DIMPLE:
+            goal = translate("PatchMill", ", to dimple {}").format(grouped(int(dimple)))
         self.place.setText(
             translate(
                 "PatchMill", "{} of {}\nmove {} of {}{}\nX {:.3f}  Y {:.3f}  Z {:.3f}\nspindle {:.0f}°"
@@ -134,7 +136,7 @@ class PlayerPanel(WorkPanel):
                 _clock(self.line.seconds),
                 grouped(move + 1),
                 grouped(len(self.line.turns)),
-                translate("PatchMill", ", to dimple {}").format(grouped(int(dimple))) if dimple >= 0 else "",
+                goal,
                 *tip,
                 math.degrees(angle) % 360.0,
             )

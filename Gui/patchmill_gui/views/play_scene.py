@@ -4,6 +4,7 @@ places that a check found.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import _patchmill as core
 import numpy as np
 from pivy import coin
 
@@ -27,7 +28,7 @@ class PlayScene:
         self._way, self._way_points, self._line = coin.SoSeparator(), coin.SoCoordinate3(), coin.SoLineSet()
         _fill(self._way, WAY_COLOUR, self._way_points, self._line, line_width=2)
         self._marks, self._points = coin.SoSeparator(), coin.SoPointSet()
-        self.dimple_moves = np.flatnonzero(path.dimples >= 0)
+        self.dimple_moves = np.flatnonzero(path.dimples != core.NO_DIMPLE)
         self.dimple_moves = self.dimple_moves[:: max(1, -(-len(self.dimple_moves) // MOST_DIMPLES))]
         places = coin.SoCoordinate3()
         places.point.setValues(0, len(self.dimple_moves), tips[self.dimple_moves + 1].tolist())
