@@ -11,6 +11,7 @@ import driver
 import FreeCAD
 import FreeCADGui
 import Part
+from _patchmill import DimpleState
 from patchmill.freecad.preferences import remember_machine
 from patchmill_gui.forms import machine_editor, resources
 from patchmill_gui.panels import texture_head
@@ -78,7 +79,8 @@ def textures():
     panel.page.previews["order"].setChecked(True)
     panel.page.previews["axes"].setChecked(True)
     driver.rest(2.0)
-    places = panel.result.places()  # the part is inclined now
+    dimples = panel.ready.planned.dimples
+    places = dimples.positions[dimples.states == DimpleState.CUT]  # the part is inclined now
     middle = places.mean(axis=0)
     look_at(places[((places - middle) ** 2).sum(axis=1).argmin()], 16.0)
     picture("3_order_and_axes")
