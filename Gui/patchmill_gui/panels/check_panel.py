@@ -31,11 +31,21 @@ class CheckPanel(WorkPanel):
     def show_result(self, result):
         self.result = result
         self.bar.hide()
-        colour = {checks.CLEAR: GOOD_COLOUR, checks.UNKNOWN: DOUBT_COLOUR}.get(result.outcome, ERROR_COLOUR)
-        self.text.setText("<b>%s</b>" % noticed(result.sentence, colour))
-        for finding in sorted(result.findings, key=lambda f: -f.depth)[:MARKS]:
+        self.text.setText(verdict(result))
+        for finding in deepest(result):
             self.marks.addChild(mark(finding.place, 0.5 if finding is not result.worst else 1.0))
 
     def leave(self):
         super().leave()
         self.root.removeChild(self.marks)
+
+
+def verdict(result):
+    """Rich text of what a CheckResult says, on green, amber or red."""
+    colour = {checks.CLEAR: GOOD_COLOUR, checks.UNKNOWN: DOUBT_COLOUR}.get(result.outcome, ERROR_COLOUR)
+    return "<b>%s</b>" % noticed(result.sentence, colour)
+
+
+def deepest(result):
+    """The Findings of a CheckResult that are marked in the view, the deepest first."""
+    return sorted(result.findings, key=lambda f: -f.depth)[:MARKS]

@@ -12,14 +12,8 @@ from patchmill.verify import checks
 from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.texture_summary import grouped
-from patchmill_gui.forms.widgets import (
-    DOUBT_COLOUR,
-    ERROR_COLOUR,
-    GOOD_COLOUR,
-    guard_editors,
-    noticed,
-    translate,
-)
+from patchmill_gui.forms.widgets import guard_editors, translate
+from patchmill_gui.panels.check_panel import deepest, verdict
 from patchmill_gui.views.own_view import scene_of
 from patchmill_gui.views.play_scene import PlayScene
 from patchmill_gui.views.timeline import FindingsBar, Timeline
@@ -28,8 +22,6 @@ from patchmill_gui.work.work_panel import WorkPanel
 SPEEDS = (0.01, 0.1, 1.0, 10.0, 100.0, 1000.0)
 FRAME_MS = 40
 STEPS = 100000  # of the slider
-MARKS = 200  # findings that are shown in the view
-VERDICT_COLOURS = {checks.CLEAR: GOOD_COLOUR, checks.UNKNOWN: DOUBT_COLOUR, checks.VIOLATED: ERROR_COLOUR}
 
 
 class PlayerPanel(WorkPanel):
@@ -152,10 +144,10 @@ class PlayerPanel(WorkPanel):
         """What the check found: a CheckResult."""
         self.result = result
         self.bar.hide()
-        self.text.setText("<b>%s</b>" % noticed(result.sentence, VERDICT_COLOURS[result.outcome]))
+        self.text.setText(verdict(result))
         self.found = [float(moment) for moment in self.line.moments(result.findings)]
         self.findings_bar.show_shares([moment / self.line.seconds for moment in self.found])
-        self.view.show_findings(sorted(result.findings, key=lambda f: -f.depth)[:MARKS])
+        self.view.show_findings(deepest(result))
         self.next.setVisible(bool(self.found))
 
     def leave(self):
