@@ -14,6 +14,7 @@ FrustumSearch::FrustumSearch(const mesh::TriangleBvh& mesh, const Vec3& origin, 
       origin_(origin),
       axis_(axis),
       travel_(travel),
+      still_(travel.isZero(0.0)),
       resolution_(resolution),
       stop_(stop),
       relative_(relative) {}

@@ -30,7 +30,9 @@ class FrustumSearch {
 
  private:
   SweptDistance distance(const Frustum& frustum, const Vec3& p) const {
-    return swept_distance(frustum, origin_, axis_, travel_, p);
+    if (!still_) return swept_distance(frustum, origin_, axis_, travel_, p);
+    const SignedDistance d = frustum_distance(frustum, origin_, axis_, p);
+    return {d.value, d.gradient, 0.0};
   }
   bool decided(double bound) const;
   double bound(const Frustum& frustum, const mesh::BvhNode& node) const;
@@ -38,6 +40,7 @@ class FrustumSearch {
 
   const mesh::TriangleBvh& mesh_;
   Vec3 origin_, axis_, travel_;
+  bool still_;  // there is no way to go
   double resolution_, stop_, relative_;
   double best_ = 0.0, given_ = 0.0;
   Vec3 point_ = Vec3::Zero();

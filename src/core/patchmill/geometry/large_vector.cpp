@@ -13,6 +13,8 @@ namespace patchmill {
 namespace {
 
 constexpr std::uintptr_t kLarge = std::uintptr_t{1} << 21, kPage = std::uintptr_t{1} << 12;
+// What is less the allocator may have had in hand before, with its pages: the C library's keeps what was up to 32 MiB.
+constexpr std::size_t kAlwaysNew = std::size_t{32} << 20;
 
 // The whole pages in some memory; none where it is less than a few large ones.
 struct Pages {
@@ -36,6 +38,7 @@ void use_large_pages(const void* begin, std::size_t bytes) {
 }
 
 void make_large_pages(const void* begin, std::size_t bytes) {
+  if (bytes <= kAlwaysNew) return;
   use_large_pages(begin, bytes);
 #ifdef MADV_POPULATE_WRITE
   const Pages pages(begin, bytes);

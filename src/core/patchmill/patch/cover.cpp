@@ -23,16 +23,28 @@ void require_count(const PatchPattern& p, double patches, std::int64_t max_dimpl
                                  count, max_dimples));
 }
 
+using HelixEnds = std::array<LatticePoint, 2>;  // first and last dimple
+
+// [down][turn]; of inverted patches none where the shape has none.
+std::array<std::vector<HelixEnds>, 2> helix_ends(const PatchPattern& p) {
+  const ShapeTraits& t = traits(p.shape);
+  const auto helix = patch_helix(p.shape, p.size, p.order);
+  HelixEnds ends{helix.front(), helix.back()};
+  std::array<std::vector<HelixEnds>, 2> found;
+  for (int turn = 0; turn < t.turns; ++turn) {
+    found[0].push_back(ends);
+    if (t.has_inverted)
+      found[1].push_back({t.inverted(p.size, ends[0]), t.inverted(p.size, ends[1])});
+    for (LatticePoint& end : ends) end = t.turned(p.size, end);
+  }
+  return found;
+}
+
 // Turns each helix so that it starts at the corner next to the end of the one before.
 void turn_to_nearest(PatchDivision& d) {
   const PatchPattern& p = d.pattern;
   const int n = traits(p.shape).turns;
-  std::array<std::vector<std::array<LatticePoint, 2>>, 2> ends;  // [down][turn]{first, last}
-  for (int down = 0; down < 2; ++down)
-    for (int turn = 0; turn < n; ++turn) {
-      const auto helix = patch_helix(p.shape, p.size, p.order, down == 1, turn);
-      ends[std::size_t(down)].push_back({helix.front(), helix.back()});
-    }
+  const std::array<std::vector<HelixEnds>, 2> ends = helix_ends(p);
   Vec2 before = Vec2::Zero();
   for (std::size_t k = 0; k < d.cells.size(); ++k) {
     PatchCell& cell = d.cells[k];

@@ -77,16 +77,14 @@ Dimples lattice_points(const PatchDivision& d, std::int64_t max_dimples) {
   Dimples dimples;
   dimples.reserve(static_cast<std::size_t>(count));
   make_large_pages(dimples.data(), dimples.capacity() * sizeof(Dimple));
-  std::int32_t patch = 0;
+  Dimple dimple;
   for (const PatchCell& cell : d.cells) {
     const LatticePoint origin = cell_origin(d.pattern, cell);
     for (const LatticePoint& step : helices[cell.down][static_cast<std::size_t>(cell.turn)]) {
-      Dimple dimple;
       dimple.lattice = {origin[0] + step[0], origin[1] + step[1]};
-      dimple.patch = patch;
       dimples.push_back(dimple);
     }
-    ++patch;
+    ++dimple.patch;
   }
   return dimples;
 }
