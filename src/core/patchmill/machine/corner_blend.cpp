@@ -62,7 +62,8 @@ double greatest_round(const CornerSide& before, const CornerSide& after, double 
 }
 
 double end_tolerance(const Move& move, const MotionModel& model) {
-  return std::isnan(move.tolerance) ? model.tolerance : move.tolerance;
+  const double own = move.tolerance;
+  return std::isnan(own) ? model.tolerance : own;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "patchmill/geometry/angle.h"
 #include "patchmill/geometry/vec.h"
+#include "patchmill/path/corner_tolerance.h"
 #include "patchmill/tool/tool.h"
 
 #include <cstdint>
@@ -58,19 +59,23 @@ enum class Pace : std::uint8_t {
 
 constexpr std::int32_t kNoDimple = -1;
 constexpr double kUnknownTurns = std::numeric_limits<double>::quiet_NaN();
-constexpr double kMachineTolerance = std::numeric_limits<double>::quiet_NaN();
 
-/// One move of the tool, from where the last one ended.
+/// One move of the tool, from where the last one ended. A path of ten million dimples has twenty million of them: one
+/// fills a line of the cache.
 struct Move {
+  Move() : Move(ToolPose{}) {}
+  Move(const ToolPose& at, double in_turns = kUnknownTurns, std::int32_t on = kNoDimple,
+       MoveKind of = MoveKind::Rapid, Pace by = Pace::Feed, CornerTolerance within = {})
+      : end(at), turns(in_turns), dimple(on), tolerance(within), kind(of), pace(by) {}
+
   ToolPose end;
-  double turns = kUnknownTurns;     ///< planned spindle turns, >= 0; NaN if nobody knows
-  std::int32_t dimple = kNoDimple;  ///< number of the dimple on which the move ends, if it does
-  MoveKind kind = MoveKind::Rapid;
-  Pace pace = Pace::Feed;
-  /// How far the machine may round the corner at the move's end [mm]; 0: it stops there; NaN: as the
-  /// machine is set.
-  double tolerance = kMachineTolerance;
+  double turns;               ///< planned spindle turns, >= 0; NaN if nobody knows
+  std::int32_t dimple;        ///< number of the dimple on which the move ends, if it does
+  CornerTolerance tolerance;  ///< of the corner at the move's end [mm]; NaN: as the machine is set
+  MoveKind kind : 4;
+  Pace pace : 4;
 };
+static_assert(sizeof(Move) == 64, "a line of the cache");
 
 /// Moves of one tool in order: what all parts of the program hand to each other.
 struct ToolPath {

@@ -11,8 +11,7 @@
 
 namespace patchmill::sync {
 
-constexpr double kFinestRounding = 1e-6;  ///< G64 P with six decimals [mm]
-constexpr double kCoarsestRow = 5e-4;     ///< that a row may have on a dimple [mm]
+constexpr double kCoarsestRow = 5e-4;  ///< that a row may have on a dimple [mm]
 
 /// Whether the controller passes the corner at `speed` [mm/s], with headroom for a lock to catch up, and leaves no
 /// straight out.

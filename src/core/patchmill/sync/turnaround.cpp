@@ -3,7 +3,6 @@
 #include "patchmill/sync/turnaround.h"
 
 #include "patchmill/machine/corner_blend.h"
-#include "patchmill/sync/row_rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +21,8 @@ constexpr double kDeadPeriods = 1.5;     // that a stop costs beyond its continu
 constexpr double kOnePlace = 1e-3;       // mm: stops that are nearer are one
 constexpr double kLinkEase = 1.6;        // legs of a link take this much longer than they could
 
-// On the program's decimals: a tolerance that differs from the posted one by a hundred-thousandth part makes a turn of
-// 1e-6 at each turn-around, and a degree over a whole face.
-double as_posted(double tolerance) {
-  return std::ceil(tolerance / kFinestRounding) * kFinestRounding;
-}
-
-Move moved(const Vec3& tip, double turns, double tolerance, MoveKind kind = MoveKind::Cut) {
+Move moved(const Vec3& tip, double turns, CornerTolerance tolerance,
+           MoveKind kind = MoveKind::Cut) {
   return {{tip, Vec3::UnitZ()}, turns, kNoDimple, kind, Pace::SpindleLocked, tolerance};
 }
 
@@ -112,7 +106,7 @@ TurnaroundShape turnaround_shape(double step, double lift, double speed,
   }
   shape.clearance = std::max(0.0, highest);
   const double angle = std::atan(shape.slope);
-  shape.tolerance = as_posted(machine::tolerance_for_speed(angle, v, a));
+  shape.tolerance = CornerTolerance::at_least(machine::tolerance_for_speed(angle, v, a));
   const double braking = speed * speed / (2.0 * a);
   shape.out = std::max(lift / shape.slope, 1.4 * braking + 0.1 * step);
   shape.run_in = std::max({0.3 * step, 3.0 * braking, best_trim + unswallowed});

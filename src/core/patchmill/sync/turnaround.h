@@ -17,12 +17,14 @@ namespace patchmill::sync {
 
 /// Lengths of a turn-around for one speed on one machine [mm], unless noted.
 struct TurnaroundShape {
-  double flat = 0.0;       ///< kept on the surface before and after a dimple
-  double lift = 0.0;       ///< height of the run-in above the surface, along the normal
-  double slope = 0.0;      ///< of the ramps: rise over run
-  double out = 0.0;        ///< run of the ramp that leaves the surface, with the way to brake
-  double run_in = 0.0;     ///< straight before the ramp that comes down, to gather speed
-  double tolerance = 0.0;  ///< corner rounding at the ramps' ends
+  double flat = 0.0;    ///< kept on the surface before and after a dimple
+  double lift = 0.0;    ///< height of the run-in above the surface, along the normal
+  double slope = 0.0;   ///< of the ramps: rise over run
+  double out = 0.0;     ///< run of the ramp that leaves the surface, with the way to brake
+  double run_in = 0.0;  ///< straight before the ramp that comes down, to gather speed
+  /// Corner rounding at the ramps' ends, as it is posted: one that differs by a hundred-thousandth part makes 1e-6
+  /// turns at each turn-around, and a degree over a whole face.
+  CornerTolerance tolerance = 0.0;
   double clearance = 0.0;  ///< height above the surface when the next tooth passes
 };
 
