@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <unordered_map>
 
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
@@ -52,6 +53,24 @@ FaceSampler::FaceSampler(const std::vector<TopoDS_Face>& faces, const patch::Tex
   bins_ = FaceBins(boxes);
 }
 
+// Of the faces that are met: neighbours mostly lie on the same.
+class FaceSampler::Workers {
+ public:
+  FaceProjection::Worker& of(std::int32_t number, const FaceProjection& face) {
+    if (last_ && number == number_) return *last_;
+    auto known = all_.find(number);
+    if (known == all_.end()) known = all_.emplace(number, face.worker()).first;
+    number_ = number;
+    last_ = &known->second;
+    return *last_;
+  }
+
+ private:
+  std::unordered_map<std::int32_t, FaceProjection::Worker> all_;
+  FaceProjection::Worker* last_ = nullptr;
+  std::int32_t number_ = 0;
+};
+
 FaceSampler::~FaceSampler() = default;
 FaceSampler::FaceSampler(FaceSampler&&) noexcept = default;
 FaceSampler& FaceSampler::operator=(FaceSampler&&) noexcept = default;
@@ -65,7 +84,7 @@ std::vector<patch::SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& p
   const tbb::blocked_range<std::size_t> all(0, points.size(), 2048);
   patchmill::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& part) {
     if (stop) return;
-    std::unordered_map<std::int32_t, FaceProjection::Worker> workers;  // of the faces that are met
+    Workers workers;
     for (std::size_t i = part.begin(); i < part.end(); ++i) {
       if (i % kLook == 0) stop_point();
       const std::optional<Hit> first = first_hit(points[i], workers);
@@ -80,15 +99,12 @@ std::vector<patch::SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& p
   return samples;
 }
 
-std::optional<Hit> FaceSampler::first_hit(
-    const Vec2& place, std::unordered_map<std::int32_t, FaceProjection::Worker>& workers) const {
+std::optional<Hit> FaceSampler::first_hit(const Vec2& place, Workers& workers) const {
   std::optional<Hit> first;
   for (const std::int32_t f : bins_.over(place)) {
     const FaceProjection& face = *faces_[std::size_t(f)];
-    auto known = workers.find(f);
-    if (known == workers.end()) known = workers.emplace(f, face.worker()).first;
     try {
-      const std::optional<Hit> hit = face.first_hit(place, known->second);
+      const std::optional<Hit> hit = face.first_hit(place, workers.of(f, face));
       if (hit && (!first || hit->depth < first->depth)) first = hit;
     } catch (const Standard_Failure& e) {
       refuse(std::size_t(f), e);

@@ -16,7 +16,6 @@
 
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
@@ -48,8 +47,8 @@ class FaceSampler {
 
  private:
   patch::DimpleState state_of(const Vec3& normal) const;
-  std::optional<Hit> first_hit(
-      const Vec2& place, std::unordered_map<std::int32_t, FaceProjection::Worker>& workers) const;
+  class Workers;
+  std::optional<Hit> first_hit(const Vec2& place, Workers& workers) const;
 
   patch::TexturePlane plane_;
   double least_cosine_;
