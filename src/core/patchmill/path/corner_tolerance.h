@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -23,9 +22,7 @@ class CornerTolerance {
   constexpr CornerTolerance() = default;
   CornerTolerance(double mm) : CornerTolerance(steps_of(mm)) {}
   /// The least step that is not below `mm`, a tolerance that somebody needs.
-  static CornerTolerance at_least(double mm) {
-    return CornerTolerance(std::ceil(mm / kFinestRounding) * kFinestRounding);
-  }
+  static CornerTolerance at_least(double mm);
   /// To the bit the decimal number that is posted.
   operator double() const {
     const std::uint32_t steps = bytes_[0] | bytes_[1] << 8 | bytes_[2] << 16;
@@ -37,17 +34,8 @@ class CornerTolerance {
   static constexpr double kStepsInMm = 1e6;
   static constexpr std::uint32_t kAsSet = 0xffffff, kMost = kAsSet - 1;
 
-  explicit CornerTolerance(std::uint32_t steps)
-      : bytes_{static_cast<std::uint8_t>(steps & 0xff),
-               static_cast<std::uint8_t>(steps >> 8 & 0xff),
-               static_cast<std::uint8_t>(steps >> 16)} {}
-  static std::uint32_t steps_of(double mm) {
-    if (std::isnan(mm)) return kAsSet;
-    if (!(mm > 0.0)) return 0;
-    const double steps = std::round(mm / kFinestRounding);
-    if (steps >= kMost) return kMost;
-    return steps < 1.0 ? 1 : static_cast<std::uint32_t>(steps);
-  }
+  explicit CornerTolerance(std::uint32_t steps);
+  static std::uint32_t steps_of(double mm);
 
   std::array<std::uint8_t, 3> bytes_{0xff, 0xff, 0xff};
 };
