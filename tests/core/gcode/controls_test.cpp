@@ -168,6 +168,13 @@ TEST(Controls, NumbersThatOnlyLookLikeAWordAreNone) {
   for (const char* bad :
        {"G4 P500", "G59.1", "G507", "TRAORI(2)", "M17", "G43 H1", "R1=5", "MCALL"})
     EXPECT_FALSE(reads(control_of("siemens"), bad)) << bad;
+  // R parameters, subprograms, repeats and auxiliary functions there, not radii and cycles
+  for (const char* bad : {"R3970", "R3970 X1", "G2 X1 Y1 R5", "L12", "P5", "Q1", "U1", "G1 X1 R5"})
+    EXPECT_FALSE(reads(control_of("siemens"), bad)) << bad;
+  for (const Control* control : controls())
+    if (control->meaning('G', 810) == nullptr) {
+      EXPECT_FALSE(reads(*control, "Q2.5")) << control->name;
+    }
 }
 
 // Spindle turns of all timed moves of a program, at 600 rpm.

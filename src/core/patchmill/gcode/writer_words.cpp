@@ -33,14 +33,15 @@ int number_of_m(const std::string& word) {
 bool Writer::known(const PathBlock& block, const BlockCode& code) const {
   const int t = code.tenths;
   if (code.letter == 'M') {
-    if (t == 20 || t == 300) refuse_block(block, "it would end the program: the post ends it.");
+    if (t == 20 || t == 300)
+      refuse_block(block, "it would end the program, which the post does: take it out.");
     if (is_tcp(t) || t == number_of_m(style_.tcp_on) || t == number_of_m(style_.tcp_off))
       return true;
     const CodeWord* word = control_.meaning('M', t);
     if (word) return !word->forbidden;
     return control_.can.builder_words && t % 10 == 0 && t < 10000;
   }
-  if (t == 200) refuse_block(block, "FreeCAD's paths are in millimetres.");
+  if (t == 200) refuse_block(block, "FreeCAD's paths are in millimetres: take it out.");
   if (t == 330) return true;  // lead() says why it cannot be
   if (t == 434 && !control_.can.tcp)
     throw InputError(
@@ -65,13 +66,15 @@ void Writer::refuse_offset(int tenths) const {
 /// The letters that a word may have beside it.
 LetterSet Writer::letters_of(const PathBlock& block, const BlockCode& code) const {
   if (!known(block, code))
-    refuse_block(block, fmt::format("{} has no {}: it cannot be posted for it.", control_.title,
-                                    code_text(code.letter, code.tenths)));
+    refuse_block(block,
+                 fmt::format("{} cannot be posted for {}: {}", code_text(code.letter, code.tenths),
+                             control_.title, why_not_posted(code.letter, code.tenths)));
   const CodeWord* word = control_.meaning(code.letter, code.tenths);
   LetterSet takes = word ? letter_set(word->takes) : 0;
   if (code.letter != 'G') return takes;
   if (code.tenths == 330) takes |= letter_set("XYZABCK");
   if (code.tenths == 640 || code.tenths == 434) takes |= letter_set("PQH");
+  if (code.tenths == 20 || code.tenths == 30) takes |= letter_set(kArcLetters);
   if (is_cycle(code.tenths)) takes |= letter_set(cycle_letters(code.tenths));
   return takes;
 }
@@ -88,8 +91,9 @@ void Writer::require_words(const PathBlock& block) {
       takes |= kept = kept ? kept : letters_of(block, code);
   }
   if (const LetterSet lost = block.letters & ~takes)
-    refuse_block(block, fmt::format("{} has no word {} there: it cannot be posted for it.",
-                                    control_.title, first_letter(lost)));
+    refuse_block(block,
+                 fmt::format("{} has no word {} there: it cannot be posted for it, take it out.",
+                             control_.title, first_letter(lost)));
 }
 
 /// S, T or F without a G or M word.
@@ -216,7 +220,8 @@ void Writer::preparatory(const PathBlock& block, int tenths) {
     return path_mode(control_.texts.path_mode.empty() ? "" : "G64");
   }
   if (tenths == 40) {
-    if (!block.gives('P')) refuse_block(block, "G4 needs its P in seconds.");
+    if (!block.gives('P') || block.get('P') < 0.0)
+      refuse_block(block, "G4 needs its P in seconds, not less than 0.");
     return dwell(block.get('P'));
   }
   if (tenths == 980 || tenths == 990) {

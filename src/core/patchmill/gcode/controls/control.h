@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "patchmill/gcode/controls/letter_set.h"
 #include "patchmill/gcode/gcode_words.h"
 
 #include <cstdint>
@@ -118,7 +119,8 @@ struct Control {
   CommentRules comments;
   FixedTexts texts;
   std::vector<CodeWord> codes;
-  WordReader read = nullptr;  ///< a line's words in the common tongue
+  LetterSet modal_letters = 0;  ///< that a block of numbers alone may have: give_words()
+  WordReader read = nullptr;    ///< a line's words in the common tongue
 
   /// The word that means a number of the common tongue; null if the control has none.
   const CodeWord* meaning(char letter, int means) const;

@@ -13,8 +13,6 @@
 namespace patchmill::gcode {
 namespace {
 
-// of motions and cycles in force
-constexpr LetterSet kModal = letter_set("XYZABCUVWIJKRPQFSTL");
 constexpr LetterSet kAlways = letter_set("FST");
 constexpr LetterSet kLengths =
     letter_set("XYZABCIJKR");  // which Fanuc reads in units without a point
@@ -49,7 +47,7 @@ class BlockCheck {
       refuse(
           fmt::format("{} needs a decimal point: without one it counts units of the last decimal.",
                       word.letter));
-    if (!((takes_ | (own_letters_ ? kAlways : kModal)) & one))
+    if (!((takes_ | (own_letters_ ? kAlways : control_.modal_letters)) & one))
       refuse(fmt::format("{} belongs to no word of the block.", word.letter));
   }
 

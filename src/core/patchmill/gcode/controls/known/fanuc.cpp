@@ -51,7 +51,7 @@ Control make() {
   c.texts.tcp_on = "G43.4 H{tool}";
   c.texts.dwell_units = 1000.0;
   c.texts.dwell_decimals = 0;
-  c.codes = fanuc_words();
+  give_words(c, fanuc_words());
   c.read = &read;
   return c;
 }

@@ -42,7 +42,7 @@ Control make() {
   c.texts.preselect = "T{tool}";
   c.texts.machine_move = "G53 G0 {axis}{value}";
   c.texts.path_mode = "G61";
-  c.codes = grblhal_words();
+  give_words(c, grblhal_words());
   c.read = &read_words;
   return c;
 }

@@ -48,7 +48,7 @@ Control make() {
   c.title = "Haas";
   c.comments.max_length = 80;
   c.texts.tcp_on = "G234 H{tool}";
-  c.codes = haas_words();
+  give_words(c, haas_words());
   c.read = &read;
   return c;
 }

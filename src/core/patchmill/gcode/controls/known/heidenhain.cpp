@@ -232,7 +232,7 @@ Control make() {
   c.texts.machine_move = "L {axis}{value} R0 FMAX M91";
   c.texts.path_mode = "";
   c.texts.dwell = "CYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 DWELL {value}";
-  c.codes = heidenhain_words();
+  give_words(c, heidenhain_words());
   c.read = &read;
   return c;
 }

@@ -70,7 +70,7 @@ Control make() {
   c.texts.tool_change = "M5\nT{tool} M6";
   c.texts.preselect = "T{tool}";
   c.texts.machine_move = "G53 G0 {axis}{value}";
-  c.codes = linuxcnc_words();
+  give_words(c, linuxcnc_words());
   c.read = &read_words;
   return c;
 }

@@ -32,7 +32,7 @@ std::vector<CodeWord> siemens_words() {
                                        {'G', -1, 911, G::ArcDistance, "", true},
                                        same('M', 190, G::Spindle),
                                        {'M', 170, 170, G::None, "", false, true}};
-  return with(words, shared_words());
+  return with(words, shared_words(kMoveLetters, kCentreLetters));
 }
 
 bool starts(std::string_view text, std::string_view with) {
@@ -109,7 +109,7 @@ Control make() {
   c.texts.preselect = "T{tool}";
   c.texts.machine_move = "SUPA G0 {axis}{value} D0\nD1";
   c.texts.dwell_letter = 'F';
-  c.codes = siemens_words();
+  give_words(c, siemens_words());
   c.read = &read;
   return c;
 }

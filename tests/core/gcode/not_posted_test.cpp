@@ -1,0 +1,44 @@
+// What a control's program is not to have is refused with what to do instead.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "patchmill/gcode/program_writer.h"
+#include "patchmill/geometry/error.h"
+
+#include <gtest/gtest.h>
+
+namespace patchmill::gcode {
+namespace {
+
+TEST(NotPosted, SaysWhatToDoInstead) {
+  const auto remedy = [](const Control& control, const std::string& path) {
+    ProgramStyle style;
+    style.control = &control;
+    try {
+      write_program({"M6 T1\nM3 S600\nG0 X0 Y0 Z20\n" + path + "\n"}, style);
+    } catch (const InputError& error) {
+      return error.remedy();
+    }
+    return std::string();
+  };
+  for (const Control* control : controls())
+    for (const auto& [path, instead] : {std::pair{"G92 X0", "work offset"},
+                                        {"G10 L2 P1 X0", "work offset"},
+                                        {"G52 X1", "work offset"},
+                                        {"G68 R30", "model"},
+                                        {"G51 X2", "model"},
+                                        {"G38.2 Z1", "probe"},
+                                        {"G41 D1", "radius"},
+
+                                        {"G65 P1", "one piece"},
+                                        {"G95", "mm/min"},
+                                        {"M2", "take it out"},
+                                        {"G20", "take it out"},
+                                        {"G4 P-1", "not less than 0"},
+                                        {"G999", "take it out"}})
+      EXPECT_NE(remedy(*control, path).find(instead), std::string::npos)
+          << control->name << " " << path << ": " << remedy(*control, path);
+  for (const char* control : {"linuxcnc", "fanuc", "haas", "grblhal"})
+    EXPECT_NE(remedy(control_of(control), "M98").find("one piece"), std::string::npos) << control;
+}
+
+}  // namespace
+}  // namespace patchmill::gcode
