@@ -51,7 +51,7 @@ class Writer {
   void down(MoveBlock m);
   void approach(MoveBlock m);
   void arc(const PathBlock& block, bool clockwise);
-  void arc_as_lines(const Arc& arc, double feed);
+  void arc_as_lines(const Arc& arc, double feed, bool inverse);
   void cycle(const PathBlock& block, int code);
   void cycle_as_moves(const DrillingCycle& cycle, double x, double y);
   void reference(const PathBlock& block, int tenths);

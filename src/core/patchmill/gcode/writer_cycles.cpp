@@ -3,13 +3,28 @@
 #include "patchmill/gcode/writer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 namespace patchmill::gcode {
 namespace {
 
-constexpr double kChord = 1e-3;  // of lines in the place of an arc [mm]
+constexpr double kChord = 1e-3;     // of lines in the place of an arc [mm]
+constexpr double kSameAngle = 1.0;  // by which the words of an arc may turn otherwise [rad]
+
+// Whether the arc that its words say, with so many decimals, is about the same one. A short one may become a whole
+// circle, or have no radius left.
+bool is_arc_in_words(const Arc& arc, int decimals) {
+  const double unit = std::pow(10.0, -decimals);
+  const auto rounded = [unit](const Vec3& v) -> Vec3 { return (v / unit).array().round() * unit; };
+  Arc said = arc;
+  said.from = rounded(arc.from);
+  said.to = rounded(arc.to);
+  said.centre = said.from + rounded(arc.centre - arc.from);
+  if ((said.centre - said.from).norm() < 0.5 * unit) return false;
+  return std::abs(arc_angle(said) - arc_angle(arc)) < kSameAngle;
+}
 
 }  // namespace
 
@@ -52,20 +67,22 @@ void Writer::arc(const PathBlock& block, bool clockwise) {
   if (inverse_ && !control_.can.inverse_time) feed *= arc_length(arc);
   const bool inverse = inverse_ && control_.can.inverse_time;
   const bool flat = plane_ == ArcPlane::XY && arc.to.z() == from.z();
-  if (control_.can.arcs_in_all_planes || flat)
+  if ((control_.can.arcs_in_all_planes || flat) && is_arc_in_words(arc, style_.precision))
     out_.arc(arc, feed, inverse);
   else
-    arc_as_lines(arc, feed);
+    arc_as_lines(arc, feed, inverse);
   stand_at(arc.to);
 }
 
-void Writer::arc_as_lines(const Arc& arc, double feed) {
-  for (const Vec3& point : arc_points(arc, kChord)) {
+void Writer::arc_as_lines(const Arc& arc, double feed, bool inverse) {
+  const std::vector<Vec3> points = arc_points(arc, kChord);
+  for (const Vec3& point : points) {
     MoveBlock m;
     m.motion = Motion::Feed;
     m.given = {true, true, true};
     m.value = {point.x(), point.y(), point.z()};
-    m.feed = feed;
+    m.feed = inverse ? feed * static_cast<double>(points.size()) : feed;
+    m.inverse = inverse;
     out_.move(m);
   }
 }
