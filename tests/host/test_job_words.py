@@ -243,7 +243,7 @@ class JobWords(WithDocuments):
                 with self.assertRaises(InputError) as caught:
                     self.post(job, "patchmill_" + control)
                 self.assertEqual(caught.exception.property, other.Label, (control, word))
-                self.assertIn("cannot be posted for it", caught.exception.remedy)
+                self.assertIn("cannot be posted for", caught.exception.remedy)
                 self.tearDown()
 
 

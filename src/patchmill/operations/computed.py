@@ -62,6 +62,10 @@ def not_computed(obj):
             return InputError(name, other.Label, remedy)
         if name == "Base" and "Touched" in _state_of(other):  # because of what is before it
             return not_computed(other)
+    controller = getattr(obj, "ToolController", None)
+    if controller is not None and controller.ToolNumber == 0:
+        remedy = "FreeCAD takes a tool controller of number 0 for none: give %s another." % controller.Label
+        return InputError("ToolNumber", "0", remedy)
     if "Invalid" in obj.State:
         return InputError(obj.Label, "not computed", "it failed in a way that FreeCAD's report view tells.")
     return InputError(

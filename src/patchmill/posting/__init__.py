@@ -141,8 +141,17 @@ def _read_back(ready, text, progress, objects=None):
         (objects,) = host.post_objects(ready.job, ready.post_name)
         _require_all(ready.operations, objects)
     dialect = own.dialect if own else "linuxcnc"
-    known = kept_words.of_machine(program_header.machine_of(objects), arguments)
-    posted = posted_job.read_back(text, objects, dialect, half_unit, known, own is not None)
+    machine = program_header.machine_of(objects)
+    posted = posted_job.read_back(
+        text,
+        objects,
+        dialect,
+        half_unit,
+        kept_words.of_machine(machine, arguments),
+        own is not None,
+        kept_words.tcp_words(machine),
+        own is not None and own.options(arguments).tlo,
+    )
     to_check = _to_check(posted)
     for number, one in enumerate(to_check):
         asked = _Share(progress, number, len(to_check))
@@ -197,6 +206,7 @@ def _active_operations(job):
     job.Document.recompute()  # what was changed since
     operations = [op for op in job.Operations.Group if host.is_active(op)]
     for op in operations:
+        requirements.check_placement(op)
         for part in posted_milling.with_those_under(op):
             error = getattr(part.Proxy, "error", None)
             if error is not None:

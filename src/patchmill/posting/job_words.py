@@ -10,7 +10,7 @@ import re
 from _patchmill import InputError
 
 from patchmill.freecad import host
-from patchmill.freecad.kinds import kind_of
+from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.verify import posted_between, posted_milling
 
 LINE = re.compile(r"\s*(\([^()]*\)|([A-Za-z]\s*[+-]?(\d+\.?\d*|\.\d+)\s*)*)\s*")
@@ -18,6 +18,9 @@ LETTERS = re.compile(r"[A-Za-z]")
 OFFSET = re.compile(r"G(5[4-9](\.\d)?)")
 SENSES = {"Forward": 3, "Reverse": 4}
 COOLANT = {7: "M7", 8: "M8"}
+CUTS = re.compile(r"G0?[123]|G(73|8[1-359])")
+MILLS = ("G1", "G01", "G2", "G02", "G3", "G03")
+TURNED = (3, 4, 5, 19)  # M words after which the spindle turns, or stands
 
 
 def require_lines(operations):
@@ -46,6 +49,9 @@ def require_own(operations, offsets, own):
         words = list(posted_between.words_of(op.Path.Commands))
         _require_offset(op, offsets)
         _require_tool(op, words)
+        _require_feeds(op)
+        if any(kind_of(other) == TEXTURE for other in operations):
+            _require_known_axes(op, words)
         controller = posted_milling.controller_of(op)
         behind = operations[number + 1 :] + (operations[:number] if len(offsets) > 1 else [])
         if controller is not None and controller.SpindleDir in SENSES and controller.SpindleSpeed > 0.0:
@@ -76,10 +82,54 @@ def _require_offset(op, offsets):
 
 
 def _require_tool(op, words):
-    if ("M", 6.0) in words:
-        tool = next((" T%d" % value for letter, value in words if letter == "T"), "")
-        remedy = "tools are changed by tool controllers: give the operation that of the tool, and take the"
-        raise InputError(op.Label, "M6" + tool, remedy + " word out.")
+    for word, letter in (("M6", "T"), ("M61", "Q")):
+        if ("M", float(word[1:])) in words:
+            tool = next((" %s%d" % (letter, value) for name, value in words if name == letter), "")
+            remedy = "tools are changed by tool controllers: give the operation that of the tool, and take"
+            raise InputError(op.Label, word + tool, remedy + " the word out.")
+
+
+def _require_feeds(op):
+    """Cuts have a feed greater than zero. FreeCAD leaves out one of zero, and the cut would go at that of the
+    cuts before it, of whatever operation they are."""
+    controller = posted_milling.controller_of(op)
+    remedy = "a cut needs a feed greater than zero: give it one here"
+    if controller is not None:
+        remedy += ", or the horizontal and vertical feed of %s" % controller.Label
+    said = False
+    for command in op.Path.Commands:
+        feed = command.Parameters.get("F")
+        cuts = CUTS.fullmatch(command.Name) or CUTS.fullmatch("G%g" % command.Parameters.get("G", -1))
+        if command.Name[:1] == "F" or (feed is not None and feed > 0.0):
+            said = True
+        elif cuts and (feed is not None or not said):
+            raise InputError(op.Label, command.toGCode().strip(), remedy + ".")
+    for name in _feeds_used(op) if controller is not None and not hasattr(op, "Gcode") else ():
+        value = float(getattr(controller, name))
+        if not value > 0.0:
+            why = "%s is milled with it: give the tool controller %s one." % (op.Label, controller.Label)
+            raise InputError(name, "%g" % value, why)
+
+
+def _feeds_used(op):
+    """Which feeds of its tool controller a path needs: HorizFeed, VertFeed."""
+    at: dict = {}
+    used = set()
+    for command in op.Path.Commands:
+        moved = {axis for axis in "XYZ" if command.Parameters.get(axis, at.get(axis)) != at.get(axis)}
+        if CUTS.fullmatch(command.Name) and moved:
+            sideways = not moved.isdisjoint("XY") and command.Name in MILLS
+            used.add("HorizFeed" if sideways else "VertFeed")
+        at.update((axis, value) for axis, value in command.Parameters.items() if axis in "XYZ")
+    return sorted(used)
+
+
+def _require_known_axes(op, words):
+    """Nobody knows where U, V and W move the tool: a job with a texture is read back, and has none."""
+    for letter, value in words:
+        if letter in "UVW":
+            remedy = "where that moves the tool is not known here: post the operation in a job of its own."
+            raise InputError(op.Label, "%s%g" % (letter, value), remedy)
 
 
 def _require_spindle(op, words, controller, same):
@@ -91,7 +141,7 @@ def _require_spindle(op, words, controller, same):
             said = controller.Label, controller.SpindleSpeed, value
             raise InputError(op.Label, "S%g" % value, remedy % said)
     wanted = SENSES[controller.SpindleDir]
-    turned = [int(value) for letter, value in words if letter == "M" and value in (3, 4, 5)]
+    turned = [int(value) for letter, value in words if letter == "M" and value in TURNED]
     if same and turned and turned[-1] != wanted:
         remedy = "the next operation with %s would find the spindle so: end this one by M%d."
         raise InputError(op.Label, "M%d" % turned[-1], remedy % (controller.Label, wanted))

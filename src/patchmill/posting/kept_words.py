@@ -27,6 +27,14 @@ def of_machine(machine, arguments):
     return [(letter, float(number)) for text in texts for letter, number in WORD.findall(text)]
 
 
+def tcp_words(machine):
+    """The M words of a machines.Machine, or of None, that switch TCP on and off; '' where a control has its
+    own."""
+    controller = {} if machine is None else machine.controller
+    words = [controller.get(name, "") for name in ("tcp_on", "tcp_off")]
+    return tuple(word if re.fullmatch(r"M\d+", word) else "" for word in words)
+
+
 def require(post_name, objects, text):
     """Raises InputError naming PostProcessor if the text lacks such a word of one of a job's `objects`."""
     wanted = {word: obj for obj in objects for word in _rare(obj.Path.Commands)}

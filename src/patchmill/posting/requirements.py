@@ -45,6 +45,18 @@ def check_offsets(offsets):
             raise InputError("Fixtures", name, remedy)
 
 
+def check_placement(op):
+    """Raises InputError naming Placement if an operation, a link to one, or one under dressups was moved:
+    FreeCAD draws its path there, and posts write it where it was computed."""
+    for part in (op, *posted_milling.with_those_under(op)):
+        placement = getattr(part, "Placement", None)
+        if placement is not None and not placement.isIdentity():
+            base = placement.Base
+            remedy = "%s is drawn there, and not milled there: set it to zero, and move the model."
+            said = "X%g Y%g Z%g" % (base.x, base.y, base.z)
+            raise InputError("Placement", said, remedy % part.Label)
+
+
 def check_tools(operations):
     """Raises InputError naming ToolNumber if different tools have one number: one of them would mill both."""
     known: dict = {}

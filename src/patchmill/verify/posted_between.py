@@ -6,6 +6,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import re
+from dataclasses import dataclass
+from typing import Any
 
 from _patchmill import InputError
 
@@ -13,9 +15,21 @@ STATES = (0, 17, 40, 43, 43.4, 49, 61, 64, 80, 90, 91.1, 94, 98, 99)  # of the c
 REFERENCE = (28, 30)  # how posts of others go to the machine's zero: by words that are zero
 STOPS = (5, 9, 428, 429)
 ENDS = (2, 30)
+COMPARED = (0, 1, 2, 3, 17, 18, 19, 73, 80, 81, 82, 83, 85, 89, 90, 98, 99)  # by the moves that they make
+OTHER_WORDS = r"M(?!0?[26]$|30$)\d+|G(4|04|10|28|30|43|53|92)(\.\d)?"  # that belong to an operation alone
 ROTARY = "ABC"
 LENGTHS = "XYZUVWIJKR"
 COOLANT = {"Flood": 8.0, "Mist": 7.0}
+
+
+@dataclass
+class Post:
+    """What is known of a program beside its operations: see posted_job.read_back()."""
+
+    known: Any
+    own: bool
+    tcp_words: tuple
+    length: bool
 
 
 def words_of(commands):
@@ -79,3 +93,43 @@ def require(words, allowed, near, unit, text_lines):
                 said = "%s%g in line %d, %r" % (letter, value, line, text_lines[line - 1].strip())
                 remedy = "no operation, tool or work offset there has this word: take it out of the post."
                 raise InputError("Program", said, remedy)
+
+
+def require_tcp_off(op, words, own_word):
+    """Raises InputError naming the last operation, which had TCP on, if no word of the stretch to the end of
+    the program, as of require(), switches it off. `own_word`: the machine's own for that, or ''."""
+    off = {"G49", "M429", "M129", own_word}
+    if not any("%s%g" % word in off for _, block in words for word in block):
+        remedy = "the program ends with it: use another post-processor."
+        raise InputError(op.Label, "TCP is on", remedy)
+
+
+def changes(modes):
+    """Modes without those that are in force already."""
+    return [mode for number, mode in enumerate(modes) if number == 0 or mode != modes[number - 1]]
+
+
+def require_in_order(op, found, wanted, near):
+    """The modes found, without repetitions, are the last ones wanted: those before the first move are not
+    looked at."""
+    found, wanted = changes(found), changes(wanted)
+    for mode, right in zip(reversed(found), reversed(wanted)):
+        if mode.keys() != right.keys() or any(abs(mode[k] - right[k]) > near for k in mode):
+            said = " ".join("%s%g" % word for word in mode.items())
+            remedy = "the operation has %s there: use another post-processor."
+            raise InputError(op.Label, said, remedy % " ".join("%s%g" % word for word in right.items()))
+    if len(found) > len(wanted):
+        raise InputError(op.Label, "other words G61 and G64", "use another post-processor.")
+
+
+def has_other_words(command):
+    """Whether a command of a path has words that comparing its moves does not look at."""
+    beside = set(command.Parameters) - set("XYZABCIJKFPQRLDHST")
+    if beside == {"G"} and re.fullmatch(r"G\d+", command.Name):
+        return not {float(command.Name[1:]), command.Parameters["G"]} <= set(COMPARED)
+    return bool(command.Name[:1] == "G" and beside) or re.fullmatch(OTHER_WORDS, command.Name) is not None
+
+
+def holds(words, wanted, near):
+    """Whether a block has all the words, given as (letter, value)."""
+    return all(any(w[0] == k and abs(w[1] - v) <= near + 1e-6 for w in words) for k, v in wanted)

@@ -19,7 +19,6 @@ from patchmill.verify import posted_between, posted_milling, posted_texture
 from patchmill.verify.posted_milling import controller_of
 from patchmill.verify.posted_program import COMMENT, PostedProgram, offset_number
 
-OTHER_WORDS = r"M(?!0?[26]$|30$)\d+|G(4|04|10|28|30|43|53|92)(\.\d)?"  # that belong to an operation alone
 ALWAYS = (0, 1, 2, 3, 4, 17, 43.4, 49, 61, 64, 80, 90, 90.1, 91.1, 93, 94, 98, 99)  # of common tongue
 CUTS = ("G1", "G01", "G2", "G02", "G3", "G03", "G33")
 HALF_ROUNDING = 0.51e-6  # mm: P of G64 has six decimals
@@ -32,9 +31,9 @@ LENGTHS = {("G", 43.0), ("G", 43.4), ("G", 49.0), ("M", 6.0)}
 class _Reading:
     """A program while its operations are looked for, one after the other."""
 
-    def __init__(self, text, dialect, half_unit, known, own):
-        self.program = PostedProgram(text, dialect)
-        self.known, self.own = known, own
+    def __init__(self, text, dialect, half_unit, post):
+        self.program = PostedProgram(text, dialect, post.tcp_words)
+        self.known, self.own, self.post = post.known, post.own, post
         self.before = None  # the last operation
         self.between = []  # other objects with paths since then
         self.end_line = 0  # of the last operation
@@ -44,22 +43,24 @@ class _Reading:
         self.offset = ""
         self.words = core.program_lines(text, dialect)
         self.due = []  # (operation, first line, its words) that are looked for up to the next operation
+        self.tcp = False  # after the last operation
 
     def texture(self, op):
         plan = planned(op)
-        posted, run = posted_texture.find(op, plan, posted_texture.told_by(plan), self.program, self.at)
-        return self._found(op, posted, run)
+        told = posted_texture.told_by(plan)
+        posted, run = posted_texture.find(op, plan, told, self.program, self.at)
+        return self._found(op, posted, run, told)
 
     def other(self, op):
         commands, behind = op.Path.Commands, self.end_line + 1  # its words may come before its first move
-        told = posted_milling.told_by(commands)
+        told = posted_milling.told_by(commands, self.post.tcp_words)
         posted, run = posted_milling.find(op, told, self.program, self.half_unit, self.at)
         if len(told):
-            posted = self._found(op, posted, run)
+            posted = self._found(op, posted, run, told)
         else:
             self.between.append(op)
         if not kind_of(op):
-            self.due += [(op, behind, command) for command in commands if _has_other_words(command)]
+            self.due += [(op, behind, c) for c in filter(posted_between.has_other_words, commands)]
         return posted
 
     def words_until(self, line):
@@ -70,7 +71,7 @@ class _Reading:
             between = [words for number, words in self.words if first <= number < line]
             if {"G", "M"} & set(command.Parameters):  # G91 G0 Z5: a control may want a block for each word
                 between = [[word for words in between for word in words]]
-            if not any(_holds(words, wanted, self.half_unit) for words in between):
+            if not any(posted_between.holds(words, wanted, self.half_unit) for words in between):
                 said = command.toGCode().strip()
                 remedy = "the program does not have it: use a post-processor that keeps it, or leave it out."
                 raise InputError(op.Label, said, remedy)
@@ -92,14 +93,17 @@ class _Reading:
         )
         stretch = [one for one in self.words if self.end_line < one[0] < line]
         posted_between.require(stretch, allowed, self.half_unit, self.program.unit, self.lines)
+        if op is None and self.tcp:
+            posted_between.require_tcp_off(self.before, stretch, self.post.tcp_words[1])
         self.before, self.between = op, []
 
-    def _found(self, op, posted, run):
+    def _found(self, op, posted, run, told):
         self.nothing_between(run.first)
         self.words_until(self.program.line_of(run.first))
         self.words_between(op, self.program.line_of(run.first))
-        self.end_line = self.program.line_of(run.end - 1)
+        self.end_line, self.tcp = self.program.line_of(run.end - 1), bool(told.tcp[-1])
         self._require_offset(op, run)
+        self._require_tcp(op, run, told)
         self._require_tool(op, run)
         self._require_length(op, run)
         self._require_coolant(op, run)
@@ -126,13 +130,23 @@ class _Reading:
         remedy = "the program has %s in force where %s begins: use another post-processor."
         raise InputError("Fixtures", self.offset, remedy % (names, op.Label))
 
+    def _require_tcp(self, op, run, told):
+        other = np.flatnonzero(self.program.tcp[run.first : run.end] != told.tcp[run.owners])
+        if len(other):
+            move = run.first + int(other[0])
+            on = bool(self.program.tcp[move])
+            said = "TCP is %s in line %d" % ("on" if on else "off", self.program.line_of(move))
+            remedy = "the operation is milled with TCP %s: use another post-processor."
+            raise InputError(op.Label, said, remedy % ("off" if on else "on"))
+
     def _require_tool(self, op, run):
         controller = controller_of(op)
         if controller is None:
             return
         first, last = (self.program.section_of(move)[0] for move in (run.first, run.end - 1))
         for section in self.program.sections[first : last + 1]:
-            if section.tool_number not in (0, controller.ToolNumber):
+            missing = section.tool_number == 0 and not self.own  # some posts of others change no tools
+            if section.tool_number != controller.ToolNumber and not missing:
                 remedy = "the program has T%d in the spindle where %s is milled."
                 raise InputError(
                     "ToolNumber", controller.ToolNumber, remedy % (section.tool_number, op.Label)
@@ -148,13 +162,17 @@ class _Reading:
         """What another operation has said of the tool's length is not in force where this one begins."""
         controller = controller_of(op)
         said_itself = any(c.Name in ("G43", "G49") for c in op.Path.Commands)
-        if controller is None or said_itself or self.dialect in LENGTH_WITH_TOOL:
+        moving = self.program.moving[run.first : run.end]
+        if controller is None or said_itself or self.dialect in LENGTH_WITH_TOOL or not moving.any():
             return
-        line = self.program.line_of(run.first + int(np.argmax(self.program.cuts[run.first : run.end])))
+        line = self.program.line_of(run.first + int(np.argmax(moving)))
         said = [words for number, words in self.words if number < line and LENGTHS & set(words)]
         since = max((k for k, words in enumerate(said) if ("M", 6.0) in words), default=-1)
         said = said[since + 1 :]  # of this tool
         if not any({("G", 43.0), ("G", 43.4)} & set(words) for words in said):
+            if self.post.length:
+                remedy = "the program does not call the tool's length: use another post-processor."
+                raise InputError(op.Label, "no G43 H%d" % controller.ToolNumber, remedy)
             return
         numbers = {value for letter, value in said[-1] if letter == "H"}
         if ("G", 49.0) in said[-1] or numbers - {controller.ToolNumber}:
@@ -194,7 +212,7 @@ class _Reading:
         wanted = [{"G": float(c.Name[1:])} | c.Parameters for c in commands if c.Name in ("G61", "G64")]
         if self.dialect == "linuxcnc" and kind_of(op) and rounding:
             near = HALF_ROUNDING if self.own else self.half_unit + 1e-6
-            _require_in_order(op, _changes(rounding), _changes(wanted), near)
+            posted_between.require_in_order(op, rounding, wanted, near)
 
     def _mode_before(self, commands, line):
         """The path mode that is in force before a line, if the operation has said it before its first cut."""
@@ -220,16 +238,17 @@ class _Reading:
             raise InputError("CoolantMode", mode, remedy % op.Label)
 
 
-def read_back(text, objects, dialect, half_unit, known=(), own=True):
+def read_back(text, objects, dialect, half_unit, known=(), own=True, tcp_words=("", ""), length=False):
     """What was read back of a program's `objects`, as FreeCAD handed them to the post-processor: a list of
     PostedTexture, and then of PostedMilling. `half_unit`: how far numbers are rounded at most [mm, degrees];
-    `known`, `own`: see posted_between.Allowed. Raises InputError naming what is not there, or is there
-    otherwise."""
+    `known`, `own`: see posted_between.Allowed; `tcp_words`: see PostedProgram; `length`: whether each tool's
+    length is called by G43. Raises InputError naming what is not there, or is there otherwise."""
     operations = [o for o in objects if is_operation(o)]
     try:
-        reading = _Reading(text, dialect, half_unit, known, own)
+        reading = _Reading(text, dialect, half_unit, posted_between.Post(known, own, tcp_words, length))
     except InputError as error:
         if any(kind_of(op) == TEXTURE for op in operations):
+            _require_read(operations, tcp_words)
             raise
         return [posted_milling.unknown(op, posted_milling.UNREADABLE % error) for op in operations]
     posted = []
@@ -248,6 +267,15 @@ def read_back(text, objects, dialect, half_unit, known=(), own=True):
     return textures + [one for one in posted if not isinstance(one, posted_texture.PostedTexture)]
 
 
+def _require_read(operations, tcp_words):
+    """Raises InputError naming an operation whose path cannot be read, as the program was not."""
+    for op in operations:
+        try:
+            posted_milling.told_by(op.Path.Commands, tcp_words)
+        except InputError as error:
+            raise InputError(op.Label, error.value, error.remedy) from error
+
+
 def _work_offset(obj):
     """Name of the work offset that an object handed to the post-processor stands for; '' of others.
     It is the label in FreeCAD 0.20, the command of the path from 1.0 on."""
@@ -256,33 +284,6 @@ def _work_offset(obj):
     path = getattr(obj, "Path", None)
     names = [getattr(obj, "Label", ""), *(command.Name for command in (path.Commands if path else ()))]
     return next((name for name in names if offset_number(name)), "")
-
-
-def _changes(modes):
-    """Modes without those that are in force already."""
-    return [mode for number, mode in enumerate(modes) if number == 0 or mode != modes[number - 1]]
-
-
-def _require_in_order(op, found, wanted, near):
-    """The modes found are the last ones wanted: those before the first move are not looked at."""
-    for mode, right in zip(reversed(found), reversed(wanted)):
-        if mode.keys() != right.keys() or any(abs(mode[k] - right[k]) > near for k in mode):
-            said = " ".join("%s%g" % word for word in mode.items())
-            remedy = "the operation has %s there: use another post-processor."
-            raise InputError(op.Label, said, remedy % " ".join("%s%g" % word for word in right.items()))
-    if len(found) > len(wanted):
-        raise InputError(op.Label, "other words G61 and G64", "use another post-processor.")
-
-
-def _has_other_words(command):
-    """Whether a command of a path has words that comparing its moves does not look at."""
-    moves = command.Name[:1] == "G" and not set(command.Parameters) <= set("XYZABCIJKFPQRLDHST")
-    return moves or re.fullmatch(OTHER_WORDS, command.Name) is not None
-
-
-def _holds(words, wanted, near):
-    """Whether a block has all the words, given as (letter, value)."""
-    return all(any(w[0] == k and abs(w[1] - v) <= near + 1e-6 for w in words) for k, v in wanted)
 
 
 def is_operation(obj):

@@ -22,6 +22,7 @@ ARCS = ("G2", "G3", "G02", "G03")
 CYCLES = ("G73", "G74", "G81", "G82", "G83", "G85", "G86", "G89")
 MODES = CYCLES + ("G91", "G53", "G33", "G18", "G19", "G20", "G92")
 NOT_READ = ("G43", "G49", "G61", "G64", "G54", "G55", "G56", "G57", "G58", "G59")  # they move nothing
+TCP_ON, TCP_OFF = ("G43.4", "M428", "M128"), ("G49", "M429", "M129")
 SAME_FEED = 5e-6  # of F: our posts repeat one that is off by less where a control has no inverse time
 
 
@@ -131,17 +132,20 @@ def unknown(operation, why):
     return PostedMilling(operation, unknown=why)
 
 
-def told_by(commands):
-    """posted_program.Told of Path.Command objects, from the first to the last that takes time. Raises
-    InputError for what cannot be read."""
+def told_by(commands, tcp_words=("", "")):
+    """posted_program.Told of Path.Command objects, from the first to the last that takes time; `tcp_words`:
+    as of PostedProgram. Raises InputError for what cannot be read."""
     if any(c.Name in ARCS or c.Name in MODES or "G" in c.Parameters for c in commands):
-        return _told_by_reading(commands)
+        return _told_by_reading(commands, tcp_words)
+    tcp, tcps = False, [False]
     at = dict.fromkeys(AXES[:3], np.nan) | dict.fromkeys(AXES[3:], 0.0)
     feed, inverse = np.nan, False
     rows, cuts, feeds, modes = [list(at.values())], [False], [np.nan], [False]
     for command in commands:
         name = command.Name
+        tcp = _tcp_after(name, tcp, tcp_words)
         if name in MOVES or name in DWELLS:
+            tcps.append(tcp)
             words = command.Parameters
             dwell = name in DWELLS
             if not dwell:
@@ -153,13 +157,25 @@ def told_by(commands):
             modes.append(inverse)
         elif name in ("G93", "G94"):
             inverse, feed = name == "G93", np.nan
-    return trimmed(np.array(rows), np.array(cuts), np.array(feeds), np.array(modes))
+    return trimmed(np.array(rows), np.array(cuts), np.array(feeds), np.array(modes), tcp=np.array(tcps))
 
 
-def _told_by_reading(commands):
+def _tcp_after(name, tcp, tcp_words):
+    """Whether tool-centre-point control is on after a word, if it was before it or not."""
+    if name in TCP_ON or name == tcp_words[0]:
+        return True
+    return tcp and name not in TCP_OFF and name != tcp_words[1]
+
+
+def _told_by_reading(commands, tcp_words):
     """The same of paths with arcs, cycles and relative moves: as the reader of programs takes them."""
-    lines, kinds = ["G17 G21 G90 G94", "M3 S60"], [None, None]
+    lines, kinds, tcp = ["G17 G21 G90 G94", "M3 S60"], [None, None], False
     for command in commands:
+        before, tcp = tcp, _tcp_after(command.Name, tcp, tcp_words)
+        if tcp != before:
+            lines.append("G43.4 H1" if tcp else "G49")
+            kinds.append(None)
+            continue
         beside = ["G%g" % v for k, v in command.Parameters.items() if k == "G"]  # G90 G1 X5, N10 G1 X5
         names = [name for name in [command.Name, *beside] if re.fullmatch(r"G\d+(\.\d)?", name)]
         names = [name for name in names if name not in NOT_READ]
@@ -177,4 +193,4 @@ def _told_by_reading(commands):
     arc = np.array([kind in ARCS for kind in kinds])[line]
     leads, _ = program.leads(0, len(program))
     arcs = np.where(arc, line, -1)
-    return trimmed(program.ends, program.cuts, program.feeds, program.inverse, arcs, leads)
+    return trimmed(program.ends, program.cuts, program.feeds, program.inverse, arcs, leads, program.tcp)

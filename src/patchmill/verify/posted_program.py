@@ -29,7 +29,8 @@ class Told:
     A B C [degrees], nan where no word said it yet; `cuts`: whether each is a feed move or a dwell; `feeds`:
     [mm/min, or 1/min where `inverse`], nan where nothing is to be compared; `arcs`: moves that follow each
     other with the same number, of 0 or more, are chords of an arc, which others may cut into other chords;
-    `leads`: of moves that follow the spindle [mm per turn], nan of others."""
+    `leads`: of moves that follow the spindle [mm per turn], nan of others; `tcp`: whether tool-centre-point
+    control is on."""
 
     ends: np.ndarray
     cuts: np.ndarray
@@ -37,6 +38,7 @@ class Told:
     inverse: np.ndarray
     arcs: np.ndarray
     leads: np.ndarray
+    tcp: np.ndarray
 
     def __len__(self):
         return len(self.cuts)
@@ -55,17 +57,21 @@ class Run:
 
 
 class PostedProgram:
-    """The moves of a program, all sections in one. Raises InputError for words that are not read."""
+    """The moves of a program, all sections in one; `tcp_words`: the machine's own M words that switch TCP on
+    and off, or ''. Raises InputError for words that are not read."""
 
-    def __init__(self, text, dialect):
+    def __init__(self, text, dialect, tcp_words=("", "")):
         self.text, self.dialect = text, dialect
-        self.sections = core.read_gcode(text, any_tool(), dialect, rotary=True)
+        self.sections = core.read_gcode(text, any_tool(), dialect, True, *tcp_words)
         self.begins = np.cumsum([0] + [len(s.path) for s in self.sections])
         self.ends = _stacked([np.hstack([s.path.tips, np.degrees(s.angles[1:])]) for s in self.sections], 6)
         timed = [s.path.kinds != core.MoveKind.RAPID for s in self.sections]
         self.cuts = np.concatenate(timed or [np.zeros(0, bool)])
+        kinds = [s.path.kinds for s in self.sections]
+        self.moving = np.concatenate(kinds or [np.zeros(0, int)]) == core.MoveKind.CUT  # without dwells
         self.feeds = np.concatenate([s.feeds for s in self.sections] or [np.zeros(0)])
         self.inverse = np.concatenate([s.inverse for s in self.sections] or [np.zeros(0, bool)])
+        self.tcp = np.concatenate([s.tcp for s in self.sections] or [np.zeros(0, bool)])
         code = COMMENT.sub("", text)
         self.unit = 25.4 if re.search(r"\bG20\b", code) else 1.0  # mm per unit of lengths
         self.half_feed = self.unit * _half_last(r"F\+?\d+\.?(\d*)", code)  # rounding of F words
@@ -180,7 +186,11 @@ def _run(told, read, read_cuts, near):
         at = len(owners)
         if told.arcs[i] >= 0:
             last = i + int(np.argmax(np.append(told.arcs[i:] != told.arcs[i], True)))
-            chords = _along_arc(told.ends[max(i - 1, 0) : last, :3], read[at:, :3], read_cuts[at:], near)
+            along = told.ends[max(i - 1, 0) : last, :3]
+            chords = _along_arc(along, read[at:, :3], read_cuts[at:], near)
+            if not chords and at and np.abs(along - read[at - 1, :3]).max() <= 3.0 * near:
+                i = last  # all of it is where the tool stands
+                continue
             if not chords:
                 return i, np.array(owners, int)
             owners += [last - 1] * chords
@@ -211,7 +221,7 @@ def _along_arc(chords, read, read_cuts, near):
     return 0
 
 
-def trimmed(ends, cuts, feeds=None, inverse=None, arcs=None, leads=None):
+def trimmed(ends, cuts, feeds=None, inverse=None, arcs=None, leads=None, tcp=None):
     """Told of moves, from the first to the last that takes time."""
     where = np.flatnonzero(cuts)
     run = slice(where[0], where[-1] + 1) if len(where) else slice(0, 0)
@@ -219,7 +229,8 @@ def trimmed(ends, cuts, feeds=None, inverse=None, arcs=None, leads=None):
     inverse = np.zeros(len(cuts), bool) if inverse is None else inverse
     arcs = np.full(len(cuts), -1) if arcs is None else arcs
     leads = np.full(len(cuts), np.nan) if leads is None else leads
-    return Told(ends[run], cuts[run], feeds[run], inverse[run], arcs[run], leads[run])
+    tcp = np.zeros(len(cuts), bool) if tcp is None else tcp
+    return Told(ends[run], cuts[run], feeds[run], inverse[run], arcs[run], leads[run], tcp[run])
 
 
 def other_angles(program, told, half_unit, after):

@@ -41,7 +41,8 @@ def told_by(plan):
         joints = np.degrees(posture.told.joints[1:])
         for number, letter in enumerate(plan.machine.rotary_letters):
             ends[:, 3 + "ABC".index(letter)] = joints[:, number]
-    return trimmed(ends, path.kinds != core.MoveKind.RAPID)
+    tcp = np.full(len(path), posture is not None and posture.form.tcp)
+    return trimmed(ends, path.kinds != core.MoveKind.RAPID, tcp=tcp)
 
 
 def find(operation, plan, told, program, after):

@@ -62,6 +62,13 @@ TEST(ReadGcode, ATurningPartWithTheSpindleOffHasUnknownTurns) {
   EXPECT_TRUE(std::isnan(p.sections[0].path.moves[1].turns));
 }
 
+TEST(ReadGcode, ASpindleThatIsTurnedToAnAngleStands) {
+  const Program p = read_gcode("M3 S600\nG0 X0 Y0 Z0\nM19 R45\nG1 X1 F60\nM3\nG1 X2\n", kTool);
+  ASSERT_EQ(p.sections.size(), 3u);
+  EXPECT_TRUE(std::isnan(p.sections[1].path.moves[0].turns));
+  EXPECT_DOUBLE_EQ(p.sections[2].path.moves[0].turns, 10.0);
+}
+
 TEST(ReadGcode, RefusesWhatItDoesNotKnowAndNamesTheLine) {
   for (const char* bad :
        {"G2 X1 Y1 I1", "G1 X[1+2]", "G1 X#3", "O100 CALL", "G1 X1 A5 F1", "G1 X1 U2 F1", "M98 P1",

@@ -217,7 +217,9 @@ void BlockReader::m_code(int code) {
     state_.running_speed = state_.speed;
   }
   if (code == 6) state_.tool_number = state_.selected_tool;
-  if (code == 5 || code == 6) state_.running_speed = 0.0;  // a tool change stops the spindle
+  if (code == 5 || code == 6 || code == 19)
+    state_.running_speed =
+        0.0;  // a tool change stops the spindle, and so does turning it to an angle
 }
 
 void BlockReader::finish() {
