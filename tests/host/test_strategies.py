@@ -14,6 +14,7 @@ import sys
 import tempfile
 import unittest
 
+import _patchmill as core
 import FreeCAD
 import numpy as np
 import patchmill
@@ -145,6 +146,18 @@ class Verdicts(WithMachines):
         else:
             self.assertEqual(verdict.holding, "cannot")
             self.assertIn("annot", verdict.sentence)
+
+    def test_the_path_that_is_judged_is_the_one_that_is_posted(self):
+        """With its start phase a lock takes other steps to its first dimples."""
+        _, _, operation = locked_job()
+        for speed in (1000, 1730):
+            operation.ToolController.SpindleSpeed = speed
+            plan = patchmill.recompute(operation)
+            given, model = plan.input, plan.machine.model
+            judged = plan.dimples, given.tool, given.spindle, plan.rule, model
+            posted = core.judge_plan(lambda _, path=plan.path: path, *judged)
+            self.assertEqual(plan.pacing.verdict.largest, posted.largest)
+            self.assertEqual(plan.pacing.verdict.rms, posted.rms)
 
     def test_the_papers_zigzag_is_lost_and_fitted_stops_hold(self):
         held = {}

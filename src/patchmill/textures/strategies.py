@@ -49,16 +49,23 @@ def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None, 
         clearances.append(clearance)
         return path
 
+    def started(spindle):
+        """As it is posted: a lock's path begins with its start phase, and takes other steps for it."""
+        return _with_start_phase(plan(spindle), given, dimples, rule, machine)
+
+    partly = whole is not None and strategy.locked
     path = plan(given.spindle)
     clearance = clearances[0]
     feed = core.posted_feed(given.feed, given.decimals)
     verdict = None
     if machine is not None:
-        verdict = core.judge_plan(plan, dimples, given.tool, given.spindle, rule, machine.model)
-        if whole is not None and strategy.locked:
-            path = _in_phase_of(whole, before, path, given, rule)
-        else:
-            path = _with_start_phase(path, given, dimples, rule, machine)
+        judged = plan if partly else started
+        verdict = core.judge_plan(judged, dimples, given.tool, given.spindle, rule, machine.model)
+        path = (
+            _in_phase_of(whole, before, path, given, rule)
+            if partly
+            else _with_start_phase(path, given, dimples, rule, machine)
+        )
     if posture is not None:
         text = tool_posture.finish(posture, path, given, machine)
         return Pacing(posture.work.path, text, feed, verdict, clearance, posture)
