@@ -34,6 +34,12 @@ def choose_for(operation):
     return found
 
 
+def cutting(operation):
+    """Feed and spindle of an operation's tool controller, as fields."""
+    given = operation.Proxy.texture_input(operation)
+    return {"feed": given.feed, "spindle": given.spindle}
+
+
 def state_of(operation, count=3):
     """(state, Assessment or None, minutes of milling): 'good', 'short' as the head says amber or red."""
     try:
@@ -66,16 +72,18 @@ def whole_quality(operation, most_area=1500.0):
     return patchmill.simulate(plan, machine=plan.machine, window=(tuple(low), tuple(high))).quality
 
 
-def remedies_of(operation, fields):
-    """The remedies for an operation whose values are `fields` of choose(), the best first."""
+def remedies_of(operation, fields, before=None):
+    """The remedies for an operation whose values are `fields` of choose(), the best first; `before`: what
+    cutting() was before them."""
     free, can_incline = apply.controller_is_free(operation), apply.can_incline(operation)
-    finder = remedies.Finder(assess, choose, free, can_incline, fields)
+    model = apply.model_of(operation)
+    finder = remedies.Finder(assess, choose, free, can_incline, fields, before, model)
     return finder.find(operation.Proxy.texture_input(operation))
 
 
-def fix(operation):
+def fix(operation, before=None):
     """Takes the first remedy over that was found; its kind, or ''."""
-    found = remedies_of(operation, {"margin": operation.Margin.Value})
+    found = remedies_of(operation, {"margin": operation.Margin.Value}, before)
     if not found:
         return ""
     apply.take(operation, found[0])

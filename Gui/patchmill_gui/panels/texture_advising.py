@@ -162,7 +162,8 @@ class Advising(QtCore.QObject):
         if any(getattr(given, name) != value for name, value in chosen.items()):
             chosen = None
         self.head.note(translate("PatchMill", "Looking for what helps …"))
-        finder = remedies.Finder(assess, choose, free, can_incline, chosen or None)
+        before, model = self._as_before(), apply.model_of(self.obj)
+        finder = remedies.Finder(assess, choose, free, can_incline, chosen or None, before, model)
         self.helping.start(lambda progress: finder.find(given, progress))
 
     def _helped(self, found):

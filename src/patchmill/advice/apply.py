@@ -59,16 +59,36 @@ def take(obj, remedy):
 
 
 def incline(job, axis, angle):
-    """Turns all of a job's model by `angle` [degrees] about `axis` through its middle: how it is clamped."""
+    """Turns all of a job's model by `angle` [degrees] about `axis` through its middle: how it is clamped. A
+    stock that FreeCAD makes around the model goes with it, which by itself it would not."""
+    before = _box_of(job)
+    turn = Placement(Vector(), Rotation(Vector(*axis), angle), before.Center)
+    for model in job.Model.Group:
+        model.Placement = turn.multiply(model.Placement)
+    if hasattr(job.Stock, "ExtZneg"):  # made around the model, from the corner where that was at first
+        job.Stock.Placement.Base += _least_corner(_box_of(job)) - _least_corner(before)
+    job.Document.recompute([*job.Model.Group, job.Stock])
+
+
+def _box_of(job):
+    """The BoundBox of a job's model."""
     box = FreeCAD.BoundBox()
     for model in job.Model.Group:
         box.add(model.Shape.BoundBox)
-    turn = Placement(Vector(), Rotation(Vector(*axis), angle), box.Center)
-    for model in job.Model.Group:
-        model.Placement = turn.multiply(model.Placement)
-    job.Document.recompute([*job.Model.Group, job.Stock])
+    return box
+
+
+def _least_corner(box):
+    return Vector(box.XMin, box.YMin, box.ZMin)
 
 
 def can_incline(obj):
     """Whether the job's part can be turned without spoiling what else the job does."""
     return not others_of(obj)
+
+
+def model_of(obj):
+    """BREP texts of the job's model, all of which incline() turns; () where it may not be turned."""
+    if not can_incline(obj):
+        return ()
+    return [model.Shape.exportBrepToString() for model in host.PathUtils.findParentJob(obj).Model.Group]

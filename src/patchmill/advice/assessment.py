@@ -5,7 +5,8 @@ patches that are looked at stand for equal parts of the dimples, from the flatte
 quality depends on the tilt between tool axis and face more than on anything else. The flattest dimples have a
 patch of their own, for a small flat place spoils a texture that is good elsewhere. Patches lie away from the
 borders of the faces, where there are such places: along a border the tip leaves marks that no neighbour takes
-away. Small textures, where borders count, are simulated as a whole besides.
+away. So besides small textures are simulated as a whole, and of larger ones squares spread over the whole, as
+many as one in so many lies along a border.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -25,7 +26,9 @@ from patchmill.textures.plan import place_texture, plan_texture
 
 
 WINDOW = 8  # spacings along the side of what is simulated
-MANY_TURNS = 3 * SMALL  # of the spindle, in which a small texture is simulated as a whole
+MANY_TURNS = 3 * SMALL  # of the spindle, above which the whole is not simulated
+SQUARES, FEW_SQUARES = 12, 5  # of the whole, where it is not; fewer where the spindle turns often
+BORDERS_COUNT = 20000  # dimples; of more, those along borders are too few to spoil the whole
 MANY = 40000  # dimples; of more, a coarser lattice is looked at
 ABOUT = 0.95  # of the most neighbours: a place in the middle
 NOT_ASKED_FOR = ("off the face", "off the net", "masked", "near an edge")  # states' names
@@ -45,7 +48,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     (fraction -> bool) returned False. Raises InputError where no dimple can be placed.
 
     `middle_first`: if the patch of middle tilts is not GOOD, no other is looked at, and they count as it
-    does. `whole`: a SMALL texture whose patches are good is simulated as a whole as well, borders included.
+    does. `whole`: a texture whose patches are good is simulated as a whole as well, borders included.
     `known`: the Assessment of its patches."""
     if known is not None:
         return replace(known, whole=_whole(simulate, given) if whole else known.whole)
@@ -76,7 +79,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     found.patches = [made[k] for k in sorted(made)]
     rates = [patch.seconds_per_dimple for patch in found.patches if patch.seconds_per_dimple]
     found.seconds = float(np.mean(rates)) * found.dimples if rates else 0.0
-    if whole and found.dimples <= SMALL and found.good:
+    if whole and found.good:
         found.whole = _whole(simulate, given)
     return found
 
@@ -104,9 +107,9 @@ def _fractions(given, placed, counts):
 
 
 def _whole(simulate, given):
-    """Quality of a whole texture, its borders included; 0 where it cannot be made or loses its phase, None
-    where it would take too long, for the spindle turns often for each dimple, or where the texture lies on
-    faces too steep for one relief over the plane."""
+    """Quality of a whole texture, its borders included, of SQUARES of it where it is not SMALL or the spindle
+    turns often; 0 where it cannot be made or loses its phase, None where there are more dimples than
+    BORDERS_COUNT, or where the texture lies on faces too steep for one relief over the plane."""
     try:
         plan = plan_texture(given)
         if given.mapping != "Projected" and _steepest(plan) > STEEP:
@@ -114,11 +117,36 @@ def _whole(simulate, given):
         verdict = plan.pacing.verdict
         if verdict is not None and not given.keeps_phase.polygons and verdict.holding != "holds":
             return 0.0
-        if plan.path.statistics()["timed_seconds"] * given.spindle.speed > MANY_TURNS:
+        count = plan.counts["cut"]
+        if count > BORDERS_COUNT:
             return None
-        return float(simulate(plan, machine=plan.machine).quality)
+        turns = plan.path.statistics()["timed_seconds"] * given.spindle.speed
+        if count <= SMALL and turns <= MANY_TURNS:
+            return float(simulate(plan, machine=plan.machine).quality)
+        often = turns / count > MANY_TURNS / SMALL
+        return _quality_in(simulate, plan, squares(plan, FEW_SQUARES if often else SQUARES))
     except InputError:
         return 0.0
+
+
+def squares(plan, most):
+    """Up to `most` windows, WINDOW spacings wide or about so, spread over the milled dimples of a plan."""
+    places = plan.places()[plan.dimples.states == core.DimpleState.CUT]
+    spacing = plan.input.spacing
+    low, high = places.min(axis=0) - 0.5 * spacing, places.max(axis=0) + 0.5 * spacing
+    count = np.maximum(1, np.rint((high - low) / (WINDOW * spacing))).astype(int)
+    sides = (high - low) / count
+    there = np.unique(np.minimum(((places - low) / sides).astype(int), count - 1), axis=0)
+    chosen = np.unique((len(there) * (np.arange(most) + 0.5) / most).astype(int))
+    corners = low + there[chosen] * sides
+    return [(tuple(corner), tuple(corner + sides)) for corner in corners]
+
+
+def _quality_in(simulate, plan, windows):
+    """Quality of all that lies in some windows of a plan."""
+    results = [simulate(plan, machine=plan.machine, window=window) for window in windows]
+    marks = [len(result.found["dimple"]) + len(result.found["extra"]) for result in results]
+    return float(np.average([result.quality for result in results], weights=marks))
 
 
 def _steepest(plan):

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import math
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import _patchmill as core
 import FreeCAD
@@ -29,6 +30,7 @@ HIGHEST_SPEED = 4.0  # times the tool controller's
 MARGINS = (0.48, 0.85, 1.1)
 ALIKE = 0.011  # of the faces, by which choices that are good alike may differ
 LARGE, FEW = 30000, 4  # dimples; of more, and of polygons, only every so many of the speeds are tried
+TRIED, TRIED_LARGE = 6, 2  # of the fastest choices, whose borders are looked at until they are good
 POLYGONS = (strategies.CONSTANT, strategies.FITTED)
 MIN_PERIODS_OF_TOOTH = 11.0  # servo periods, in which a lock follows a tooth (docs/rows.md)
 
@@ -158,19 +160,16 @@ def _margin(given, of_spacing):
 
 
 def _with_borders(assess, given, choice, own):
-    """The Choice with the first margin with which a small texture is good as a whole, else with the best of
+    """The Choice with the first margin with which a texture is good as a whole, else with the best of
     them; the Choice itself where its margin is the user's or it is short for other reasons."""
-    found = choice.assessment
-    if found.dimples > SMALL or not found.good:
+    best = choice
+    if not own or choice.assessment.borders_are_good:
         return choice
-    best = Choice(choice.fields, assess(replace(given, **choice.fields), whole=True, known=found))
-    if best.assessment.whole is None or best.assessment.borders_are_good or not own:
-        return best
     for of_spacing in MARGINS[1:]:
         fields = dict(choice.fields, margin=_margin(given, of_spacing))
         asked = replace(given, **fields)
         try:
-            other = Choice(fields, assess(asked, whole=True, known=found))
+            other = Choice(fields, assess(asked, whole=True, known=choice.assessment))
         except InputError:
             continue
         if (other.assessment.whole or 0.0) > best.assessment.whole:
@@ -197,14 +196,31 @@ def speeds(given, machine):
 
 def _fastest(assess, given, choices, rpms, progress):
     """Of Choices, each at its own spindle speed and at `rpms`, the one of least time over the whole that is
-    as good as it was at its own; None where none can be planned whole, or `progress` returned False. A higher
-    speed takes longer where it makes single steps too fast."""
+    as good as it was at its own, borders included; else of the fastest ones that whose borders are best. None
+    where none can be planned whole, or `progress` returned False."""
+    best = None
+    tried = TRIED if max(choice.assessment.dimples for choice in choices) <= SMALL else TRIED_LARGE
+    for choice in islice(_by_time(assess, given, choices, rpms, progress), tried):
+        if not choice.assessment.good:
+            return best or choice
+        whole = assess(replace(given, **choice.fields), whole=True, known=choice.assessment)
+        if best is None or whole.worth > best.assessment.worth:
+            best = Choice(choice.fields, whole)
+        if whole.borders_are_good:
+            return best
+    return best
+
+
+def _by_time(assess, given, choices, rpms, progress):
+    """Yields Choices at their own spindle speed, and at `rpms` where they are as good, the one of least time
+    over the whole first; no more once `progress` returned False. A higher speed takes longer where it makes
+    single steps too fast."""
     timed: list[tuple] = []
     for choice in choices:
         few = choice.assessment.dimples > LARGE or choice.fields["strategy"] in POLYGONS
         for rpm in (None, *(rpms[FEW - 1 :: FEW] if few else rpms)):
             if not progress(0.5):
-                return None
+                return
             fields = choice.fields if rpm is None else _at_speed(given, choice.fields, rpm)
             seconds = _seconds(replace(given, **fields))
             if seconds is not None:
@@ -212,14 +228,15 @@ def _fastest(assess, given, choices, rpms, progress):
     too_fast: dict[int, float] = {}
     for _, _, rpm, choice, fields in sorted(timed, key=lambda one: one[:2]):
         if not rpm:
-            return choice
+            yield choice
+            continue
         if rpm >= too_fast.get(id(choice), math.inf):
             continue
         found = assess(replace(given, **fields), 3, middle_first=True)
         if found.good_fraction >= choice.assessment.good_fraction - 1e-9:
-            return Choice(fields, found)
-        too_fast[id(choice)] = rpm
-    return None
+            yield Choice(fields, found)
+        else:
+            too_fast[id(choice)] = rpm
 
 
 def _at_speed(given, fields, rpm):

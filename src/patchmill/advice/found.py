@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 GOOD = 0.95  # of quality: the texture as planned, to the eye and to a profilometer
-SMALL = 1500  # dimples; so many are simulated as a whole
+SMALL = 1500  # dimples; so many are simulated as a whole, of more a sample
 GOOD_FRACTION = 0.95  # of the faces' dimples
 
 

@@ -78,20 +78,23 @@ def up_of(axis, angle):
     return tuple(Rotation(Vector(*axis), -angle).multVec(Vector(0, 0, 1)))
 
 
-def turned(given, axis, angle):
-    """`given` with its faces turned by `angle` [degrees] about `axis` through the origin."""
+def turned(given, axis, angle, model=()):
+    """`given` with its faces turned by `angle` [degrees] about `axis` through the origin. Heights stay as far
+    above the top of the `model`, BREP texts, as they are: a job's stock, from which they follow, is turned
+    with it. Of the faces where it is empty."""
     rotation = Rotation(Vector(*axis), angle)
-    breps = []
-    for text in given.breps:
-        shape = shape_of(text)
-        shape.rotate(Vector(0, 0, 0), Vector(*axis), angle)
-        breps.append(shape.exportBrepToString())
+    breps, solids = ([_turned_text(text, axis, angle) for text in texts] for texts in (given.breps, model))
     origin = None if given.origin is None else tuple(rotation.multVec(Vector(*given.origin)))
-    top = max(_top(text) for text in breps)
-    above = given.safe_height - max(_top(text) for text in given.breps)
+    above = given.safe_height - max(_top(text) for text in model or given.breps)
     clear = given.clearance_height - given.safe_height
-    safe = top + above
+    safe = max(_top(text) for text in solids or breps) + above
     return replace(given, breps=breps, origin=origin, safe_height=safe, clearance_height=safe + clear)
+
+
+def _turned_text(text, axis, angle):
+    shape = shape_of(text)
+    shape.rotate(Vector(0, 0, 0), Vector(*axis), angle)
+    return shape.exportBrepToString()
 
 
 def shape_of(text):

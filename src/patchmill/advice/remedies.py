@@ -41,11 +41,14 @@ class Remedy:
 class Finder:
     """Looks for remedies. `assess`: see assessment.with_simulation; `choose`: choice.choose with it.
     `free`, `can_incline`: the tool controller, and how the part lies, may be changed, too; `chosen`: fields
-    that choose() gave the texture, if it still has them, else None."""
+    that choose() gave the texture, if it still has them, else None; `before`: feed and spindle that the tool
+    controller had before them, from which every remedy chooses its own; `model`: BREP texts of all that is
+    turned when the part is, for it may be higher than the faces (apply.model_of)."""
 
-    def __init__(self, assess, choose, free=False, can_incline=True, chosen=None):
+    def __init__(self, assess, choose, free=False, can_incline=True, chosen=None, before=None, model=()):
         self.assess, self.choose, self.free = assess, choose, free
-        self.can_incline, self.chosen = can_incline, chosen
+        self.can_incline, self.chosen, self.model = can_incline, chosen, model
+        self.before = dict(before or {}) if chosen and free else {}
 
     def find(self, given, progress=None):
         """The Remedies that were tried and help, the best first; None if `progress` (fraction -> bool)
@@ -94,6 +97,7 @@ class Finder:
         whole = given
         if self.chosen and "margin" in self.chosen:
             given = replace(given, margin=0.0)  # each has one of its own
+        given = replace(given, **self.before)
         first = [] if self.chosen else [lambda: self._values(given)]
         last = []
         if machine is not None and machine.rotary_letters:
@@ -143,7 +147,8 @@ class Finder:
         choice = self.choose(given, self.free)
         if choice is None:
             return None
-        remedy = Remedy(kind, {**fields, **choice.fields}, choice.assessment, axis, angle)
+        fields = {**self.before, **fields, **choice.fields}
+        remedy = Remedy(kind, fields, choice.assessment, axis, angle)
         if remedy.assessment.good or not _flat_is_short(remedy.assessment):
             return remedy
         try:
@@ -162,7 +167,7 @@ class Finder:
         _, angle, axis = leaning
         fields = {} if finer is None else _finer_fields(given, finer)
         fields.update(LAID if laid else {})
-        asked = orientation.turned(replace(given, **fields), axis, angle)
+        asked = orientation.turned(replace(given, **fields), axis, angle, self.model)
         return self._chosen_for(asked, "incline", fields, axis, angle)
 
     def _lean(self, given, leaning, normals, areas, others=None):
