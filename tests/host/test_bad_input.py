@@ -147,10 +147,9 @@ class Macros(unittest.TestCase):
 
     def test_places_that_cannot_be_written_are_refused_before_the_work(self):
         with tempfile.TemporaryDirectory() as folder:
-            for name in ("", folder, folder + "/missing/x.ngc"):
+            for name in ("", folder, folder + "/missing/x.ngc", None, 5, 0.5, [folder]):
                 self.refused("filename", patchmill.post, self.job, name)
-            with self.assertRaises(TypeError):
-                patchmill.post(self.job, None)
+                self.refused("filename", patchmill.post_files, self.job, name)
 
     def test_a_file_that_cannot_be_put_in_its_place_leaves_nothing(self):
         patchmill.recompute(self.operation)

@@ -5,6 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import json
 import os
+import pathlib
 import resource
 import signal
 import stat
@@ -89,6 +90,20 @@ class Files(unittest.TestCase):
         for name in [*bad, os.path.join(self.folder, "n" * 300), os.path.join(self.folder, "\udc80" * 256)]:
             self.refused("filename", files.write, name, NEW)
         self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
+
+    def test_what_never_ends_is_not_read(self):
+        """A pipe that nobody writes into, a device, and a number, which would be an open file's."""
+        os.remove(self.name)
+        os.mkfifo(self.name)
+        for name, said in ((self.name, "pipe"), ("/dev/zero", "device"), (0, "name"), (None, "name")):
+            self.assertIn(said, self.refused("Program", files.read_text, name, "Program"))
+        self.assertIn("directory", self.refused("Program", files.read_text, self.folder, "Program"))
+        os.remove(self.name)
+
+    def test_names_of_every_kind(self):
+        for name in (pathlib.Path(self.name), os.fsencode(self.name), self.name + "\udce4"):
+            files.write(name, "text")
+            self.assertEqual(files.read_text(name), "text")
 
     def test_a_full_disk_leaves_the_old_one(self):
         for named in (False, True):

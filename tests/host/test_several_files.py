@@ -137,6 +137,13 @@ class SeveralFiles(WithDocuments):
             self.assertEqual(caught.exception.property, name)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
 
+    def test_a_name_in_another_encoding(self):
+        job, op = self.texture()
+        made = patchmill.post_files(job, os.fsencode(self.folder) + b"/\xe4.ngc", patches=100)
+        self.assertEqual(os.path.basename(made[0].filename), "\udce4-01.ngc")
+        table = pathlib.Path(self.folder, "\udce4-files.csv").read_bytes()
+        self.assertIn(b"\n\xe4-01.ngc,G54", table)
+
     def test_the_table(self):
         job, op = self.texture()
         made = patchmill.post_files(job, self.program, patches=2)

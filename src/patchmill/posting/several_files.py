@@ -77,6 +77,7 @@ def post_files(job, filename, patches=0, kilobytes=0.0, post_name=None, argument
     any. `post_name` and `arguments`: as in patchmill.post().
     Raises InputError as post() does, and naming Patches, Kilobytes or filename: a file of an earlier posting
     that would be taken for one of these is named."""
+    filename = files.name_of(filename)
     files.require_place(filename)
     for name, value in (("Patches", patches), ("Kilobytes", kilobytes)):
         if not value >= 0:
@@ -90,7 +91,8 @@ def post_files(job, filename, patches=0, kilobytes=0.0, post_name=None, argument
     _name(made, filename)
     for one in made:
         posting.write(one.filename, one.text)
-    files.write(_stem(filename) + "-files.csv", _table(made))
+    table = _table(made).encode("utf-8", "surrogateescape")  # a file's name may be in any encoding
+    files.write(_stem(filename) + "-files.csv", table)
     return made
 
 

@@ -30,10 +30,18 @@ FOREIGN = re.compile(r"\.patchmill-[0-9a-f]{24}")
 OLD = 60.0  # seconds: a younger one may be about to be locked by who writes it
 
 
+def name_of(filename, name="filename"):
+    """A file's name as text, of a str, bytes or os.PathLike. Raises InputError naming `name`."""
+    try:
+        return os.fsdecode(filename)
+    except TypeError as error:
+        raise InputError(name, repr(filename), "give the name of a file.") from error
+
+
 def require_place(filename, name="filename"):
     """The path at which a file of that name is to be written, links followed. Raises InputError naming `name`
-    if it cannot be: no folder, a read-only file, a device, a pipe."""
-    asked = os.fspath(filename)
+    if it cannot be: no name, no folder, a read-only file, a device, a pipe."""
+    asked = name_of(filename, name)
     try:
         path = os.path.realpath(asked)
         there = os.path.lexists(path) and os.stat(path)
@@ -74,7 +82,7 @@ def replacing(filename, name="filename"):
         _sync_folder(os.path.dirname(path))
     except OSError as error:
         remedy = "it cannot be written (%s): give another file." % (error.strerror or error)
-        raise InputError(name, repr(str(filename)), remedy) from error
+        raise InputError(name, repr(name_of(filename, name)), remedy) from error
 
 
 def write(filename, content, name="filename"):
@@ -85,20 +93,30 @@ def write(filename, content, name="filename"):
 
 def read_text(filename, name="filename", most=1 << 30, other=None):
     """The text of a file, of at most so many bytes, without a byte order mark; what is no UTF-8 is of the
-    encoding `other`, if given. Raises InputError naming `name` if it cannot be read."""
+    encoding `other`, if given. Raises InputError naming `name` if it cannot be read, or is a device or a
+    pipe, which might never end."""
+    asked = name_of(filename, name)
     try:
-        with open(filename, "rb") as file:
-            content = file.read(most + 1)
-        if len(content) <= most:
+        with open(asked, "rb", opener=_at_once) as file:
+            regular = stat.S_ISREG(os.fstat(file.fileno()).st_mode)
+            content = file.read(most + 1) if regular else b""
+        if regular and len(content) <= most:
             return _decoded(content, other)
-        remedy = "it has more than %d bytes: give a smaller file." % most
+        remedy = "it is a device or a pipe, not a file: give another one."
+        if regular:
+            remedy = "it has more than %d bytes: give a smaller file." % most
     except OSError as error:
         remedy = "it cannot be read (%s): give another file." % (error.strerror or error)
     except UnicodeDecodeError as error:
         remedy = "byte %d is no UTF-8: save the file as UTF-8." % error.start
     except ValueError:
         remedy = "there can be no such file: give another name."
-    raise InputError(name, repr(str(filename)), remedy)
+    raise InputError(name, repr(asked), remedy)
+
+
+def _at_once(path, flags):
+    """Opens without waiting for whoever writes into a pipe."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def _decoded(content, other):
