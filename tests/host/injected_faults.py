@@ -48,6 +48,7 @@ class Case:
             self.lines = pathlib.Path(program).read_text(encoding="ascii").split("\n")
         (self.objects,) = host.post_objects(job, post)
         self.known = kept_words.of_machine(program_header.machine_of(self.objects), arguments)
+        self.tcp = kept_words.tcp_words(program_header.machine_of(self.objects))
         self.words = [
             (number, word)
             for number, line in enumerate(self.lines)
@@ -57,7 +58,9 @@ class Case:
     def read(self, lines):
         """Reads a program as posting does. Raises InputError for what is found."""
         text = "\n".join(lines)
-        posted = posted_job.read_back(text, self.objects, self.dialect, self.half_unit, self.known, self.own)
+        posted = posted_job.read_back(
+            text, self.objects, self.dialect, self.half_unit, self.known, self.own, self.tcp, self.own
+        )
         for one in posted:
             if isinstance(one, PostedTexture):
                 checks.require_clear(one.operation, one.path, one.unplaced, blind=one.blind)
