@@ -62,6 +62,21 @@ TEST(ReadGcode, ATurningPartWithTheSpindleOffHasUnknownTurns) {
   EXPECT_TRUE(std::isnan(p.sections[0].path.moves[1].turns));
 }
 
+TEST(ReadGcode, ABlockThatFollowsTheSpindleHasNoFeed) {
+  const auto reads = [](const char* control, const std::string& block) {
+    try {
+      read_gcode("S600 M3\nG0 X0. Y0. Z0.\n" + block + "\n", kTool, {&control_of(control), true});
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+  EXPECT_TRUE(reads("siemens", "G33 X1. I0.5"));
+  EXPECT_FALSE(reads("siemens", "G33 X1. I0.5\nF37700 X2. I0.5"));
+  EXPECT_FALSE(reads("linuxcnc", "G33 X1. K0.5\nX2. K0.5 F100"));
+  EXPECT_TRUE(reads("fanuc", "G33 X1. F0.5\nX2. F0.5"));
+}
+
 TEST(ReadGcode, ASpindleThatIsTurnedToAnAngleStands) {
   const Program p = read_gcode("M3 S600\nG0 X0 Y0 Z0\nM19 R45\nG1 X1 F60\nM3\nG1 X2\n", kTool);
   ASSERT_EQ(p.sections.size(), 3u);

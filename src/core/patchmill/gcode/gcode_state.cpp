@@ -235,8 +235,7 @@ void BlockReader::finish() {
   const bool lead_is_f = options_.control->can.lead == LeadRule::LongestAxis &&
                          options_.control->can.lead_letters == "F";
   if (std::isnan(block_.f) || (lead && lead_is_f)) return;
-  if (lead && options_.control->can.lead == LeadRule::AlongPath && block_.moves())
-    refuse_block(block_, "a block of G33 has no F.");
+  if (lead && block_.moves()) refuse_block(block_, "a block of G33 has no F.");
   state_.feed = block_.f * (state_.mode == FeedMode::PerMinute ? state_.unit : 1.0);
 }
 
