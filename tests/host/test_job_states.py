@@ -173,6 +173,32 @@ class ToolsAndFeeds(WithProgram):
         self.assertIn("\nT3 M6\n", self.post(job)[0])
 
 
+class ApproachIsAsPlanned(WithProgram):
+    def test_rapids_that_end_elsewhere_before_a_cut_that_names_its_end(self):
+        """Each word is one that may stand there, and the first cut ends where it should: it would slant."""
+        job, (texture,) = roof_job("Constant feed")
+        lines = ["G0 Z30", "G0 X46 Y0", "G0 X40 Y0", "G1 X40 Y0 Z20 F10", "G1 X46 F10", "G0 Z30"]
+        other = custom(job, lines)
+        for control in ("linuxcnc", "fanuc"):
+            text, _ = self.post(job, "patchmill_" + control)
+            at = text.rindex("X40.000 Y0.000\n" if control == "linuxcnc" else "X40.000\n")
+            changed = text[:at] + text[at:].replace("X40.000", "X46.000", 1)
+            said = self.spoilt(job, changed, control)
+            self.assertEqual(said.property, other.Label)
+
+    def test_of_a_texture(self):
+        job, (texture,) = roof_job("Constant feed")
+        text, _ = self.post(job)
+        across = next(line for line in text.splitlines() if re.match(r"G0 X-.* Z", line))
+        x = re.search(r"X\S+", across).group()
+        elsewhere = re.findall(r"G1 (X\S+)", text)[-1]  # a word of the texture
+        self.assertNotEqual(x, elsewhere)
+        first = text.index("\nG1 ")
+        said = self.spoilt(job, text[:first].replace(x, elsewhere) + text[first:], "linuxcnc")
+        self.assertEqual(said.property, texture.Label)
+        self.assertIn("begins at", said.value)
+
+
 class DrawnElsewhere(WithProgram):
     def test_an_operation_or_a_link_that_was_moved(self):
         for post in (OWN, STOCK):

@@ -17,7 +17,7 @@ from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.computed import planned
 from patchmill.verify import posted_between, posted_milling, posted_texture
 from patchmill.verify.posted_milling import controller_of
-from patchmill.verify.posted_program import COMMENT, PostedProgram, offset_number
+from patchmill.verify.posted_program import COMMENT, ROUNDED_TWICE, PostedProgram, offset_number
 
 ALWAYS = (0, 1, 2, 3, 4, 17, 43.4, 49, 61, 64, 80, 90, 90.1, 91.1, 93, 94, 98, 99)  # of common tongue
 CUTS = ("G1", "G01", "G2", "G02", "G3", "G03", "G33")
@@ -103,6 +103,7 @@ class _Reading:
         self.words_between(op, self.program.line_of(run.first))
         self.end_line, self.tcp = self.program.line_of(run.end - 1), bool(told.tcp[-1])
         self._require_offset(op, run)
+        self._require_start(op, run, told)
         self._require_tcp(op, run, told)
         self._require_tool(op, run)
         self._require_length(op, run)
@@ -129,6 +130,15 @@ class _Reading:
         names = ", ".join(sorted("none" if n is None else "number %d" % n for n in said))
         remedy = "the program has %s in force where %s begins: use another post-processor."
         raise InputError("Fixtures", self.offset, remedy % (names, op.Label))
+
+    def _require_start(self, op, run, told):
+        """The rapids before it leave the tool where its first cut begins, which may name its end alone."""
+        start = self.program.starts[run.first]
+        if (np.abs(start - told.start) > self.half_unit + ROUNDED_TWICE).any():
+            line = self.program.line_of(run.first)
+            said = "line %d begins at X%.3f Y%.3f Z%.3f" % (line, *start)
+            remedy = "the operation begins at X%.3f Y%.3f Z%.3f: use another post-processor."
+            raise InputError(op.Label, said, remedy % tuple(told.start))
 
     def _require_tcp(self, op, run, told):
         other = np.flatnonzero(self.program.tcp[run.first : run.end] != told.tcp[run.owners])
@@ -248,7 +258,7 @@ def read_back(text, objects, dialect, half_unit, known=(), own=True, tcp_words=(
         reading = _Reading(text, dialect, half_unit, posted_between.Post(known, own, tcp_words, length))
     except InputError as error:
         if any(kind_of(op) == TEXTURE for op in operations):
-            _require_read(operations, tcp_words)
+            posted_milling.require_read(operations, tcp_words)
             raise
         return [posted_milling.unknown(op, posted_milling.UNREADABLE % error) for op in operations]
     posted = []
@@ -265,15 +275,6 @@ def read_back(text, objects, dialect, half_unit, known=(), own=True, tcp_words=(
     reading.words_between(None, math.inf)
     textures = [one for one in posted if isinstance(one, posted_texture.PostedTexture)]
     return textures + [one for one in posted if not isinstance(one, posted_texture.PostedTexture)]
-
-
-def _require_read(operations, tcp_words):
-    """Raises InputError naming an operation whose path cannot be read, as the program was not."""
-    for op in operations:
-        try:
-            posted_milling.told_by(op.Path.Commands, tcp_words)
-        except InputError as error:
-            raise InputError(op.Label, error.value, error.remedy) from error
 
 
 def _work_offset(obj):

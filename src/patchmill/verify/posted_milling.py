@@ -126,6 +126,15 @@ def _require_feeds(operation, told, program, run, half_unit):
         raise InputError(operation.Label, said, remedy)
 
 
+def require_read(operations, tcp_words):
+    """Raises InputError naming an operation whose path cannot be read, as the program was not."""
+    for op in operations:
+        try:
+            told_by(op.Path.Commands, tcp_words)
+        except InputError as error:
+            raise InputError(op.Label, error.value, error.remedy) from error
+
+
 def unknown(operation, why):
     """PostedMilling of an operation that was not read back; says so in the report view."""
     FreeCAD.Console.PrintWarning("%s: %s: compare it with the path yourself.\n" % (operation.Label, why))
@@ -193,4 +202,5 @@ def _told_by_reading(commands, tcp_words):
     arc = np.array([kind in ARCS for kind in kinds])[line]
     leads, _ = program.leads(0, len(program))
     arcs = np.where(arc, line, -1)
-    return trimmed(program.ends, program.cuts, program.feeds, program.inverse, arcs, leads, program.tcp)
+    others = (program.inverse, arcs, leads, program.tcp, program.starts)
+    return trimmed(program.ends, program.cuts, program.feeds, *others)

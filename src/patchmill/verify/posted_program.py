@@ -30,7 +30,7 @@ class Told:
     [mm/min, or 1/min where `inverse`], nan where nothing is to be compared; `arcs`: moves that follow each
     other with the same number, of 0 or more, are chords of an arc, which others may cut into other chords;
     `leads`: of moves that follow the spindle [mm per turn], nan of others; `tcp`: whether tool-centre-point
-    control is on."""
+    control is on; `start`: X Y Z before the first of them, nan where no word said it yet."""
 
     ends: np.ndarray
     cuts: np.ndarray
@@ -39,6 +39,7 @@ class Told:
     arcs: np.ndarray
     leads: np.ndarray
     tcp: np.ndarray
+    start: np.ndarray
 
     def __len__(self):
         return len(self.cuts)
@@ -65,6 +66,7 @@ class PostedProgram:
         self.sections = core.read_gcode(text, any_tool(), dialect, True, *tcp_words)
         self.begins = np.cumsum([0] + [len(s.path) for s in self.sections])
         self.ends = _stacked([np.hstack([s.path.tips, np.degrees(s.angles[1:])]) for s in self.sections], 6)
+        self.starts = _stacked([_starts(s) for s in self.sections], 3)
         timed = [s.path.kinds != core.MoveKind.RAPID for s in self.sections]
         self.cuts = np.concatenate(timed or [np.zeros(0, bool)])
         kinds = [s.path.kinds for s in self.sections]
@@ -166,6 +168,13 @@ def offset_number(name):
     return int(other.group(1)) if other else 0
 
 
+def _starts(section):
+    """X Y Z where each move of a section begins, nan where nobody knows."""
+    starts = np.vstack([np.array(section.path.start)[None], section.path.tips])[:-1]
+    starts[: section.unplaced] = np.nan
+    return starts
+
+
 def _stacked(arrays, columns):
     return np.vstack(arrays) if arrays else np.zeros((0, columns))
 
@@ -221,7 +230,7 @@ def _along_arc(chords, read, read_cuts, near):
     return 0
 
 
-def trimmed(ends, cuts, feeds=None, inverse=None, arcs=None, leads=None, tcp=None):
+def trimmed(ends, cuts, feeds=None, inverse=None, arcs=None, leads=None, tcp=None, starts=None):
     """Told of moves, from the first to the last that takes time."""
     where = np.flatnonzero(cuts)
     run = slice(where[0], where[-1] + 1) if len(where) else slice(0, 0)
@@ -230,7 +239,10 @@ def trimmed(ends, cuts, feeds=None, inverse=None, arcs=None, leads=None, tcp=Non
     arcs = np.full(len(cuts), -1) if arcs is None else arcs
     leads = np.full(len(cuts), np.nan) if leads is None else leads
     tcp = np.zeros(len(cuts), bool) if tcp is None else tcp
-    return Told(ends[run], cuts[run], feeds[run], inverse[run], arcs[run], leads[run], tcp[run])
+    if starts is None:
+        starts = np.vstack([np.full((1, 3), np.nan), ends[:-1, :3]]) if len(ends) else ends[:, :3]
+    start = starts[run.start] if len(where) else np.full(3, np.nan)
+    return Told(ends[run], cuts[run], feeds[run], inverse[run], arcs[run], leads[run], tcp[run], start)
 
 
 def other_angles(program, told, half_unit, after):
