@@ -3,36 +3,70 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import argparse
+import contextlib
+import math
+import pathlib
+import signal
 import sys
 import time
 from dataclasses import replace
 
 import _patchmill as core
 import FreeCAD
+import numpy as np
 import one_click
 import other_parts
+import patchmill
 from _patchmill import InputError
-from patchmill.advice import apply, choice
+from patchmill.advice import apply, assessment, choice
+from patchmill.advice.found import GOOD
 from patchmill.textures.order import rows
+from patchmill.textures.plan import plan_texture
 from patchmill.verify import best_speed
+from patchmill_gui.panels import texture_head
 
 MACHINES = ("linuxcnc-mill", "table-table-ac")
 COLUMNS = (
-    "part", "machine", "one click: state, good, quality", "fix", "after it", "dimples", "values", "min",
-    "times the best", "cpu s",
+    "part", "machine", "one click: head", "document", "fix", "after it: head", "document",
+    "dimples", "values", "min", "foreseen", "times the best", "cpu s",
 )  # fmt: skip
 SHORT = {"Spindle-locked": "locked", "Constant feed, fitted stops": "fitted", "Feed per move": "feed"}
+COLOURS = {texture_head.GREEN: "green", texture_head.AMBER: "amber", texture_head.RED: "red"}
 SPEEDS = 3  # the highest ones that are chosen from, beside the first and the one that was chosen
-LOOKED_AT = 150.0  # mm² of a large texture, that are simulated in one piece
+SQUARES = 24  # of a document, spread over its faces
 
 
-def said(operation):
-    """(state, text of what the head says and what the whole texture is when it is simulated, minutes)."""
-    state, found, minutes = one_click.state_of(operation)
-    if found is None:
-        return state, "%s, none" % state, minutes
-    whole = found.whole if found.whole is not None else one_click.whole_quality(operation, LOOKED_AT)
-    return state, "%s, %.0f %%, %.2f" % (state, 100 * found.good_fraction, whole), minutes
+def head(operation):
+    """What the head of the panel says of a document: (colour, sentence, minutes of milling)."""
+    try:
+        plan = patchmill.recompute(operation)
+    except InputError as error:
+        return "red", str(error), math.nan
+    found = one_click.assess(plan.asked, 3, whole=True)
+    colour, sentence = texture_head._verdict(found, plan.pacing.verdict)
+    return COLOURS[colour], sentence, plan.path.statistics()["timed_seconds"] / 60.0
+
+
+def judged(operation):
+    """What the document is worth, as the machine's model runs it, borders and links included: 'part of the
+    dimples in squares of GOOD quality, quality of all squares'. '-' where nothing is planned; 'steep' where
+    the texture is laid on faces that are too steep for one relief over the plane: there the head looks at
+    patches from their own side, and this at none."""
+    plan = operation.Proxy.planned
+    if plan is None:
+        return "-"
+    if plan.asked.mapping != "Projected" and assessment._steepest(plan) > assessment.STEEP:
+        return "steep"
+    results = [
+        patchmill.simulate(plan, machine=plan.machine, window=window)
+        for window in assessment.squares(plan, SQUARES)
+    ]
+    quality = np.array([result.quality for result in results])
+    planned = np.array([len(result.found["dimple"]) for result in results])
+    marks = planned + [len(result.found["extra"]) for result in results]
+    good = planned[quality >= GOOD].sum() / planned.sum()
+    return "%.0f %%, %.2f" % (100.0 * good, np.average(quality, weights=marks))
 
 
 def values(operation):
@@ -44,17 +78,20 @@ def values(operation):
 
 
 def times_best(operation, start_speed):
-    """Time over that of the best point that holds, of both orders and the highest speeds."""
+    """Time over that of the best point that holds, of both orders, both directions of rows and the highest
+    speeds."""
     plan = operation.Proxy.planned
     if plan is None:
         return "-"
     given = plan.asked
     ladder = choice.speeds(given_at(given, start_speed), plan.machine)[-SPEEDS:]
     speeds = [round(start_speed), round(60.0 * given.spindle.speed), *ladder]
-    found = best_speed.of_plan(plan, speeds, (rows.HELIX, rows.ROWS))
-    if found.best is None:
-        return "-"
-    return "%.2f" % (plan.path.statistics()["timed_seconds"] / found.best.seconds)
+    best = []
+    for direction in (rows.ALONG_X, rows.ALONG_Y):
+        turned = plan_texture(replace(given, row_direction=direction))
+        found = best_speed.of_plan(turned, speeds, (rows.HELIX, rows.ROWS)).best
+        best += [found.seconds] if found is not None else []
+    return "%.2f" % (plan.path.statistics()["timed_seconds"] / min(best)) if best else "-"
 
 
 def given_at(given, rpm):
@@ -62,49 +99,74 @@ def given_at(given, rpm):
     return replace(given, spindle=core.Spindle(rpm / 60.0, given.spindle.sense))
 
 
-def described(remedy):
-    extra = [
-        text
-        for name, text in (("spacing", "finer"), ("minimum_tilt", "leave out"), ("mapping", "lay"))
-        if name in remedy.fields and remedy.kind != text
-    ]
-    angle = " %.0f°" % remedy.angle if remedy.angle else ""
-    return ", ".join([remedy.kind + angle, *extra])
-
-
 def row(name, machine):
-    shape, face = other_parts.PARTS[name]()
+    """Cells of a row, as far as they are known when the time is over."""
+    cells = [name, machine] + [""] * (len(COLUMNS) - 2)
     began = time.process_time()
+
+    def note(column, text):
+        cells[column] = text
+        cells[-1] = "%.0f" % (time.process_time() - began)
+
+    shape, face = other_parts.PARTS[name]()
     operation = one_click.texture(shape, face, machine)
+    yield cells
     start_speed = operation.ToolController.SpindleSpeed
-    fields = {}
-    try:
+    fields, before = {}, one_click.cutting(operation)
+    with contextlib.suppress(InputError):  # the head says so, and the remedies are looked for
         fields = one_click.choose_for(operation).fields
-    except InputError:
-        pass  # the head says so, and the remedies are looked for
-    state, first, minutes = said(operation)
-    fix, after = "", ""
-    if state != "good":
-        found = one_click.remedies_of(operation, fields)
-        fix = "none"
+    colour, sentence, minutes = head(operation)
+    note(2, "%s: %s" % (colour, sentence))
+    note(3, judged(operation))
+    if colour != "green":
+        found = one_click.remedies_of(operation, fields, before)
+        note(4, " / ".join(texture_head.remedy_text(one) for one in found) or "none")
         if found:
             apply.take(operation, found[0])
-            fix = described(found[0])
-            state, after, minutes = said(operation)
-    spent = time.process_time() - began
+            colour, sentence, minutes = head(operation)
+            note(5, "%s: %s" % (colour, sentence))
+            note(6, judged(operation))
+            note(10, "%.2f" % (found[0].assessment.seconds / 60.0))
     plan = operation.Proxy.planned
-    cut = plan.counts["cut"] if plan else 0
-    cells = (
-        name, machine, first, fix, after, str(cut), values(operation), "%.1f" % minutes,
-        times_best(operation, start_speed), "%.0f" % spent,
-    )  # fmt: skip
-    print("| %s |" % " | ".join(cells), flush=True)
-    FreeCAD.closeDocument(operation.Document.Name)
+    note(7, str(plan.counts["cut"] if plan else 0))
+    note(8, values(operation))
+    note(9, "%.2f" % minutes)
+    note(11, times_best(operation, start_speed))
 
 
-print("| %s |\n|%s" % (" | ".join(COLUMNS), " --- |" * len(COLUMNS)), flush=True)
-wanted = [a for a in sys.argv[1:] if a not in MACHINES]
-machines = [a for a in sys.argv[1:] if a in MACHINES] or MACHINES
-for part in wanted or other_parts.TABLE:
-    for key in machines:
-        row(part, key)
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--seconds", type=int, default=240)
+    parser.add_argument("--to", type=pathlib.Path)
+    parser.add_argument("names", nargs="*")
+    given = parser.parse_args()
+    done = given.to.read_text() if given.to and given.to.exists() else ""
+    out = given.to.open("a") if given.to else sys.stdout
+    if not done:
+        print("| %s |\n|%s" % (" | ".join(COLUMNS), " --- |" * len(COLUMNS)), file=out, flush=True)
+    pairs = [tuple(one.split("@")) for one in given.names if "@" in one]
+    wanted = [a for a in given.names if a not in MACHINES and "@" not in a]
+    machines = [a for a in given.names if a in MACHINES] or MACHINES
+    pairs += [(part, key) for part in (wanted or (() if pairs else other_parts.TABLE)) for key in machines]
+
+    def over(*_):
+        raise TimeoutError
+
+    signal.signal(signal.SIGALRM, over)
+    for part, key in pairs:
+        if "| %s | %s |" % (part, key) in done:
+            continue
+        cells = [part, key]
+        signal.alarm(given.seconds)
+        try:
+            for cells in row(part, key):  # noqa: B007  they are filled in
+                pass
+        except TimeoutError:
+            cells[-1] = "over %d s" % given.seconds
+        signal.alarm(0)
+        print("| %s |" % " | ".join(cells), file=out, flush=True)
+        for name in FreeCAD.listDocuments():
+            FreeCAD.closeDocument(name)
+
+
+main()

@@ -28,6 +28,7 @@ from patchmill.textures.plan import place_texture, plan_texture
 WINDOW = 8  # spacings along the side of what is simulated
 MANY_TURNS = 3 * SMALL  # of the spindle, above which the whole is not simulated
 SQUARES, FEW_SQUARES = 12, 5  # of the whole, where it is not; fewer where the spindle turns often
+GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 BORDERS_COUNT = 20000  # dimples; of more, those along borders are too few to spoil the whole
 MANY = 40000  # dimples; of more, a coarser lattice is looked at
 ABOUT = 0.95  # of the most neighbours: a place in the middle
@@ -65,7 +66,8 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     order = numbers[np.argsort(tilts[numbers], kind="stable")]
     parts = [order] if len(order) <= WINDOW**2 else _parts(order, tilts[order], count)
     neighbours = _neighbours(placed, cut)
-    middles = [_middle(part, neighbours) for part in parts]
+    alike = len(parts) == 1  # then their order by tilt is that of rounding errors
+    middles = [_central(placed, part, neighbours) if alike else _middle(part, neighbours) for part in parts]
     made: dict[int, PatchQuality] = {}
     first = len(parts) // 2 if middle_first else None
     for k in sorted(range(len(parts)), key=lambda k: k != first):
@@ -137,7 +139,7 @@ def squares(plan, most):
     count = np.maximum(1, np.rint((high - low) / (WINDOW * spacing))).astype(int)
     sides = (high - low) / count
     there = np.unique(np.minimum(((places - low) / sides).astype(int), count - 1), axis=0)
-    chosen = np.unique((len(there) * (np.arange(most) + 0.5) / most).astype(int))
+    chosen = np.argsort((GOLDEN * np.arange(len(there))) % 1.0)[:most]  # in no step that meets one side only
     corners = low + there[chosen] * sides
     return [(tuple(corner), tuple(corner + sides)) for corner in corners]
 
@@ -184,6 +186,14 @@ def _middle(part, neighbours):
     full = neighbours[part] >= ABOUT * neighbours[part].max()
     ranks = np.flatnonzero(full)
     return int(part[ranks[np.abs(ranks - len(part) // 2).argmin()]])
+
+
+def _central(placed, part, neighbours):
+    """Of a part of the dimples the number nearest to their centre among those that have about as many
+    neighbours as any."""
+    full = np.sort(part[neighbours[part] >= ABOUT * neighbours[part].max()])
+    away = np.linalg.norm(placed.places()[full] - placed.places()[part].mean(axis=0), axis=1)
+    return int(full[(away / placed.input.spacing).round(6).argmin()])
 
 
 def _tilts(placed):
