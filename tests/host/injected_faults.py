@@ -48,7 +48,10 @@ class Case:
             self.lines = pathlib.Path(program).read_text(encoding="ascii").split("\n")
         (self.objects,) = host.post_objects(job, post)
         self.known = kept_words.of_machine(program_header.machine_of(self.objects), arguments)
-        self.tcp = kept_words.tcp_words(program_header.machine_of(self.objects))
+        machine = program_header.machine_of(self.objects)
+        self.tcp = kept_words.tcp_words(machine)
+        retract = own.retract_lines(arguments, machine) if own else ()
+        self.more = {"length": self.own, "retract": retract}
         self.words = [
             (number, word)
             for number, line in enumerate(self.lines)
@@ -59,7 +62,7 @@ class Case:
         """Reads a program as posting does. Raises InputError for what is found."""
         text = "\n".join(lines)
         posted = posted_job.read_back(
-            text, self.objects, self.dialect, self.half_unit, self.known, self.own, self.tcp, self.own
+            text, self.objects, self.dialect, self.half_unit, self.known, self.own, self.tcp, **self.more
         )
         for one in posted:
             if isinstance(one, PostedTexture):

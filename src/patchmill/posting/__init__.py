@@ -150,7 +150,8 @@ def _read_back(ready, text, progress, objects=None):
         kept_words.of_machine(machine, arguments),
         own is not None,
         kept_words.tcp_words(machine),
-        own is not None and own.options(arguments).tlo,
+        length=own is not None and own.options(arguments).tlo,
+        retract=own.retract_lines(arguments, machine) if own else [],
     )
     to_check = _to_check(posted)
     for number, one in enumerate(to_check):

@@ -17,6 +17,7 @@ from patchmill.system import files
 from patchmill.freecad import host
 from patchmill.path.read_text import text_of
 from patchmill.posting import job_words, program_header
+from patchmill.verify import posted_between
 
 MOST_DECIMALS = 6
 
@@ -82,6 +83,17 @@ class Dialect:
             )
         except InputError as error:
             raise _of_operation(error, objects, texts) from error
+
+    def retract_lines(self, arguments, machine):
+        """The lines by which a program comes clear of everything before tool changes, turns and its end; none
+        where the machines.Machine, or None, does not say where that is."""
+        plain, retracting = (
+            core.write_program(
+                [], self.dialect, precision=self.precision(arguments, machine), retract=retract
+            ).splitlines()
+            for retract in ([], _retract(machine))
+        )
+        return posted_between.added(plain, retracting)
 
     def compared(self, objects, arguments):
         """The program, read back and checked as patchmill.post() does it, which says --no-compare and does so
@@ -178,8 +190,7 @@ def _machine_words(machine, dialect):
     this control, and where the tool is clear of everything."""
     if machine is None:
         return {}
-    data = machine.data.get("retract_mm", {})
-    words: dict = {"retract": [(axis, data[axis]) for axis in "ZXY" if axis in data]}
+    words: dict = {"retract": _retract(machine)}
     controller = machine.controller
     if controller["dialect"] == dialect:
         names = ("smoothing_on", "smoothing_off", "tcp_on", "tcp_off")
@@ -188,6 +199,12 @@ def _machine_words(machine, dialect):
             if words[name][:1] == "G":
                 words[name] = ""
     return words
+
+
+def _retract(machine):
+    """(axis, machine coordinate in mm) in the order of the moves."""
+    data = {} if machine is None else machine.data.get("retract_mm", {})
+    return [(axis, data[axis]) for axis in "ZXY" if axis in data]
 
 
 def _text(obj):

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import re
+from collections import defaultdict
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,17 +20,21 @@ COMPARED = (0, 1, 2, 3, 17, 18, 19, 73, 80, 81, 82, 83, 85, 89, 90, 98, 99)  # b
 OTHER_WORDS = r"M(?!0?[26]$|30$)\d+|G(4|04|10|28|30|43|53|92)(\.\d)?"  # that belong to an operation alone
 ROTARY = "ABC"
 LENGTHS = "XYZUVWIJKR"
+PRESETS = {("G", 4.0), ("G", 10.0), ("G", 92.0)}  # whose X, Y, Z are no moves
 COOLANT = {"Flood": 8.0, "Mist": 7.0}
 
 
 @dataclass
 class Post:
-    """What is known of a program beside its operations: see posted_job.read_back()."""
+    """What is known of a program beside its operations. `known`, `own`: see Allowed; `tcp_words`: see
+    posted_program.PostedProgram; `length`: whether each tool's length is called by G43; `retract`: see
+    Retracts."""
 
     known: Any
     own: bool
     tcp_words: tuple
-    length: bool
+    length: bool = False
+    retract: Any = ()
 
 
 def words_of(commands):
@@ -133,3 +138,53 @@ def has_other_words(command):
 def holds(words, wanted, near):
     """Whether a block has all the words, given as (letter, value)."""
     return all(any(w[0] == k and abs(w[1] - v) <= near + 1e-6 for w in words) for k, v in wanted)
+
+
+def added(plain, more):
+    """The lines that the second of two programs has in one place beside those of the first."""
+    plain, more = [bare(line) for line in plain], [bare(line) for line in more]
+    pairs = zip(plain, more)
+    first = next((k for k, (one, other) in enumerate(pairs) if one != other), len(plain))
+    return more[first : first + len(more) - len(plain)]
+
+
+def bare(line):
+    """A block without its number and blanks, its numbers as short as they can be."""
+    code = re.sub(r"^\s*(N\d+|\d+ )", "", line).replace(" ", "")
+    return re.sub(r"[+-]?(\d+\.?\d*|\.\d+)", lambda number: "%g" % float(number.group()), code)
+
+
+class Retracts:
+    """Where a program has come clear of everything by `retract`, the lines that its post writes for that, as
+    of bare(); none: nothing is looked for. `words`: of core.program_lines(); `lines`: the program's."""
+
+    def __init__(self, retract, words, lines):
+        self.retract, self.words, self.count = list(retract), words, len(retract)
+        lines = [bare(line) for line in lines]
+        ends = range(self.count, len(lines) + 1)
+        self.ends = {k for k in ends if lines[k - self.count : k] == self.retract}
+        blocks: dict = defaultdict(set)
+        for number, block in words:
+            blocks[number] |= set(block)
+        self.clear, clear = set(), False  # numbers of the lines before which nothing has moved since
+        for number in range(1, len(lines) + 1):
+            if clear:
+                self.clear.add(number)
+            moves = set("XYZ") & {letter for letter, _ in blocks[number]} and not PRESETS & blocks[number]
+            clear = number in self.ends or (clear and not moves)
+
+    def require_changes(self):
+        """Raises InputError naming Program if a tool is changed without a retract before it."""
+        for number, block in self.words:
+            if self.count and ("M", 6.0) in block and number not in self.clear:
+                remedy = "the tool is changed in line %d without it: use another post-processor."
+                raise InputError("Program", self._said(), remedy % number)
+
+    def require_end(self, line):
+        """Raises InputError naming Program if there is no retract after a line, the last one that cuts."""
+        if self.count and max(self.ends, default=0) <= line:
+            remedy = "the program ends without it: use another post-processor."
+            raise InputError("Program", self._said(), remedy)
+
+    def _said(self):
+        return "no " + " ".join(self.retract)

@@ -248,14 +248,15 @@ class _Reading:
             raise InputError("CoolantMode", mode, remedy % op.Label)
 
 
-def read_back(text, objects, dialect, half_unit, known=(), own=True, tcp_words=("", ""), length=False):
+def read_back(text, objects, dialect, half_unit, known=(), own=True, tcp_words=("", ""), **more):
     """What was read back of a program's `objects`, as FreeCAD handed them to the post-processor: a list of
     PostedTexture, and then of PostedMilling. `half_unit`: how far numbers are rounded at most [mm, degrees];
-    `known`, `own`: see posted_between.Allowed; `tcp_words`: see PostedProgram; `length`: whether each tool's
-    length is called by G43. Raises InputError naming what is not there, or is there otherwise."""
+    `known`, `own`, `tcp_words` and more of the program: see posted_between.Post. Raises InputError naming
+    what is not there, or is there otherwise."""
     operations = [o for o in objects if is_operation(o)]
     try:
-        reading = _Reading(text, dialect, half_unit, posted_between.Post(known, own, tcp_words, length))
+        post = posted_between.Post(known, own, tcp_words, **more)
+        reading = _Reading(text, dialect, half_unit, post)
     except InputError as error:
         if any(kind_of(op) == TEXTURE for op in operations):
             posted_milling.require_read(operations, tcp_words)
@@ -273,6 +274,10 @@ def read_back(text, objects, dialect, half_unit, known=(), own=True, tcp_words=(
     reading.nothing_between(len(reading.program))
     reading.words_until(math.inf)
     reading.words_between(None, math.inf)
+    retracts = posted_between.Retracts(reading.post.retract, reading.words, text.split("\n"))
+    retracts.require_end(reading.end_line)
+    if ("M", 6.0) not in known:  # words of the user's own
+        retracts.require_changes()
     textures = [one for one in posted if isinstance(one, posted_texture.PostedTexture)]
     return textures + [one for one in posted if not isinstance(one, posted_texture.PostedTexture)]
 
