@@ -2112,6 +2112,14 @@ Spindel {:.0f}°</translation>
         <source>{}, dimples laid along the faces</source>
         <translation>{}, Mulden entlang der Flächen gelegt</translation>
     </message>
+    <message>
+        <source>Leave out what is steeper than {:.0f}°</source>
+        <translation>Auslassen, was steiler als {:.0f}° ist</translation>
+    </message>
+    <message>
+        <source>{}, leave out what is steeper than {:.0f}°</source>
+        <translation>{}, auslassen, was steiler als {:.0f}° ist</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

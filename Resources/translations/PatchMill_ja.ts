@@ -2112,6 +2112,14 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>{}, dimples laid along the faces</source>
         <translation>{}、ディンプルを面に沿って配置</translation>
     </message>
+    <message>
+        <source>Leave out what is steeper than {:.0f}°</source>
+        <translation>{:.0f}° より急な部分を除外</translation>
+    </message>
+    <message>
+        <source>{}, leave out what is steeper than {:.0f}°</source>
+        <translation>{}、{:.0f}° より急な所を除く</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

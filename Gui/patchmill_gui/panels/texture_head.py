@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import FreeCAD
 from patchmill.advice.found import GOOD_FRACTION
+from patchmill.advice.remedies import LAID
 from patchmill.machine.machining_time import in_words
 from PySide import QtCore, QtGui
 
@@ -215,13 +216,16 @@ def _verdict(found, verdict):
 def remedy_text(remedy):
     """What a remedy does and gives, as its button says it."""
     found, fields = remedy.assessment, remedy.fields
+    steepest = fields.get("steepest_slope", LAID["steepest_slope"])
     what = {
         "incline": translate("PatchMill", "Incline the part {:.0f}°").format(remedy.angle),
         "lean": translate("PatchMill", "Lean the tool {:.0f}°").format(remedy.angle),
         "along": translate("PatchMill", "Let the tool follow the faces, leant {:.0f}°").format(remedy.angle),
         "lay": translate("PatchMill", "Lay the dimples along the faces"),
         "finer": translate("PatchMill", "Choose a smaller spacing"),
-        "leave out": translate("PatchMill", "Leave out what is too flat"),
+        "leave out": translate("PatchMill", "Leave out what is too flat")
+        if "minimum_tilt" in fields
+        else translate("PatchMill", "Leave out what is steeper than {:.0f}°").format(steepest),
         "values": translate("PatchMill", "Take the values that suit"),
     }[remedy.kind]
     if "spacing" in fields:
@@ -231,6 +235,8 @@ def remedy_text(remedy):
         what = translate("PatchMill", "{}, dimples laid along the faces").format(what)
     if "minimum_tilt" in fields and remedy.kind != "leave out":
         what = translate("PatchMill", "{}, leave out what is too flat").format(what)
+    if steepest != LAID["steepest_slope"] and (remedy.kind != "leave out" or "minimum_tilt" in fields):
+        what = translate("PatchMill", "{}, leave out what is steeper than {:.0f}°").format(what, steepest)
     if not found.borders_are_good:
         what = translate("PatchMill", "{}, borders not as good").format(what)
     return translate("PatchMill", "{}: {:.0f} % good, {}").format(

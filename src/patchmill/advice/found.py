@@ -62,6 +62,12 @@ class Assessment:
         return self.good_fraction >= GOOD_FRACTION - 1e-9 and self.borders_are_good
 
     @property
+    def remains_good(self):
+        """Whether enough of what is milled is good, borders included, however much is left out."""
+        good = self.good_fraction >= GOOD_FRACTION * self.milled_fraction - 1e-9
+        return bool(self.patches) and good and self.borders_are_good
+
+    @property
     def borders_are_good(self):
         return self.whole is None or self.whole >= GOOD
 

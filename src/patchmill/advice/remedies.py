@@ -13,6 +13,7 @@ from patchmill.advice import orientation
 from patchmill.advice.choice import POLYGONS
 from patchmill.advice.found import GOOD, Assessment
 from patchmill.machine import machines
+from patchmill.textures import tool_posture
 from patchmill.textures.plan import plan_texture
 
 MIN_GAIN = 0.02  # of the faces, that a remedy must make good besides
@@ -56,7 +57,7 @@ class Finder:
         normals, areas = orientation.face_normals(given)
         if not len(normals):
             return []
-        now = self._worth(given)
+        now = self._assessed(given)
         first, last = self._tries(given, normals, areas)
         found: list[Remedy] = []
         slow = self._slow_strategies(given)
@@ -74,7 +75,7 @@ class Finder:
                 remedy = attempt()
             except InputError:
                 continue
-            if remedy is not None and _helps(remedy.assessment, now):
+            if remedy is not None and _is_better(remedy.assessment, now):
                 found.append(remedy)
         return sorted(
             found,
@@ -133,29 +134,32 @@ class Finder:
             laid = replace(given, **LAID)
             yield partial(self._lean, laid, leaning, normals, areas, LAID)
 
-    def _worth(self, given):
-        """Of the texture as it is; None where it cannot be made."""
+    def _assessed(self, given):
+        """Assessment of the texture as it is; None where it cannot be made."""
         try:
             plan_texture(given)
-            return self.assess(given, 3, whole=True).worth
+            return self.assess(given, 3, whole=True)
         except InputError:
             return None
 
     def _chosen_for(self, given, kind, fields, axis=None, angle=0.0):
-        """The Remedy with values that suit `given`, whose `fields` are new; what is too flat left out
-        besides, where that makes more of it good."""
+        """The Remedy with values that suit `given`, whose `fields` are new; what is too flat or too steep
+        left out besides, where that makes more of it good, or all that remains."""
         choice = self.choose(given, self.free)
         if choice is None:
             return None
         fields = {**self.before, **fields, **choice.fields}
         remedy = Remedy(kind, fields, choice.assessment, axis, angle)
-        if remedy.assessment.good or not _flat_is_short(remedy.assessment):
+        now = remedy.assessment
+        if now.remains_good:
             return remedy
         try:
             rest = self.leave_out(replace(given, **choice.fields))
         except InputError:
             rest = None
-        if rest is not None and rest.assessment.good_fraction > remedy.assessment.good_fraction:
+        if rest is not None and (
+            rest.assessment.good_fraction > now.good_fraction or _leaves_good(rest.assessment, now)
+        ):
             remedy.fields.update(rest.fields)
             remedy.assessment = rest.assessment
         return remedy
@@ -193,23 +197,46 @@ class Finder:
         return self._chosen_for(replace(given, **fields), "finer", fields)
 
     def leave_out(self, given):
-        """Remedy that leaves out what is too flat, or None: below the least tilt from which on all patches
-        that were looked at are good."""
-        found = self.assess(given, 5)
-        flat = max((p.tilt for p in found.patches if p.quality < GOOD), default=None)
-        good = [p.tilt for p in found.patches if p.quality >= GOOD and flat is not None and p.tilt > flat]
-        if not good:
+        """Remedy that leaves out what is flatter, and under an upright tool what is steeper, than the largest
+        part whose patches are all good; None where there is none, or nothing else."""
+        patches = self.assess(given, 5).patches
+        upright = tool_posture.is_vertical(given) and not given.auto_direction  # then slopes are tilts
+        run = _largest_good_run(patches, ends_anywhere=upright)
+        if run is None or run == (0, len(patches)):
             return None
-        fields = {"minimum_tilt": round(0.5 * (flat + min(good)), 1)}
+        first, end = run
+        fields = {}
+        if first > 0:
+            fields["minimum_tilt"] = round(0.5 * (patches[first - 1].tilt + patches[first].tilt), 1)
+        if end < len(patches):
+            fields["steepest_slope"] = round(0.5 * (patches[end - 1].tilt + patches[end].tilt), 1)
         asked = replace(given, **fields)
         plan_texture(asked)
         return Remedy("leave out", fields, self.assess(asked, 3, whole=True))
 
 
-def _flat_is_short(found):
-    """Whether of an Assessment's patches a bad one is flatter than a good one."""
-    good = [p.tilt for p in found.patches if p.quality >= GOOD]
-    return any(p.quality < GOOD and p.tilt < max(good, default=0.0) for p in found.patches)
+def _largest_good_run(patches, ends_anywhere):
+    """(first, end) of the slice of PatchQuality, in order of tilt, that are all good and stand for most; None
+    where none is good. It reaches to the steepest if not `ends_anywhere`."""
+    count = len(patches)
+    runs = [
+        (first, end)
+        for first in range(count)
+        for end in (range(first + 1, count + 1) if ends_anywhere else (count,))
+        if all(patch.quality >= GOOD for patch in patches[first:end])
+    ]
+    return max(runs, key=lambda run: sum(p.fraction for p in patches[slice(*run)]), default=None)
+
+
+def _is_better(found, now):
+    """Whether an Assessment helps, or leaves only what is good, beside that of the texture as it is; None
+    where that cannot be made."""
+    return _helps(found, None if now is None else now.worth) or (now is not None and _leaves_good(found, now))
+
+
+def _leaves_good(found, now):
+    """Whether all that is milled is good, as it is not `now`, and no less of the faces than that is."""
+    return found.remains_good and not now.remains_good and found.good_fraction > now.good_fraction - MIN_GAIN
 
 
 def _helps(found, now):
