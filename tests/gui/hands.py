@@ -82,12 +82,12 @@ def press(*keys):
     act("key", "--delay", 60, *keys)
 
 
-def write(text):
-    """Types text where the keyboard's focus is."""
-    act("type", "--delay", 40, "--", text)
+def write(text, pause=40):
+    """Types text where the keyboard's focus is, a key every `pause` milliseconds."""
+    act("type", "--delay", pause, "--", text)
 
 
-def enter(field, text, end="Return"):
+def enter(field, text, end="Return", pause=40):
     """As a user who clicks into a field, selects what is there, types and presses `end`, if that is a key;
     who looks first whether the field has the keyboard."""
     line = field if isinstance(field, QtGui.QLineEdit) else field.findChild(QtGui.QLineEdit)
@@ -100,7 +100,7 @@ def enter(field, text, end="Return"):
     assert line.hasFocus(), "%s does not take the keyboard: %s has it" % (field, other)
     press("ctrl+a")
     assert driver.wait(lambda: line.selectedText() == line.text(), 2), "%r is not selected" % line.text()
-    write(text)
+    write(text, pause)
     if end:
         press(end)
 

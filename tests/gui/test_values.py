@@ -7,6 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import driver
 import FreeCAD
 import hands
+from patchmill_gui.fields import quantity_entry
 from PySide import QtCore, QtGui
 
 UNITS = "User parameter:BaseApp/Preferences/Units"
@@ -28,9 +29,9 @@ class Values(driver.BlockTest):
         self.rows = self.panel.page.properties.rows
         return self.rows
 
-    def typed(self, name, text, end="Return"):
+    def typed(self, name, text, end="Return", pause=40):
         """What a property is after `text` was typed in its field."""
-        hands.enter(self.rows[name].editor, text, end)
+        hands.enter(self.rows[name].editor, text, end, pause)
         if not end:
             driver.rest(0.6)
         self.panel.page.properties.store()
@@ -65,6 +66,28 @@ class Values(driver.BlockTest):
                 self.assertAlmostEqual(self.typed("ExtraTurns", text), 0.25)
             self.assertEqual(self.text("Spacing"), "0,70 mm" if language == "de_DE" else "0.70 mm")
             self.panel.reject()
+
+    def test_whoever_types_slowly_is_not_written_over(self):
+        for language in ("de_DE", "en_US"):
+            self.begin(language=language)
+            for text, end in (("0,6 mm", "Return"), ("0.7 mm", "Tab"), ("2*0.4", "Return")):
+                wanted = {"0,6 mm": 0.6, "0.7 mm": 0.7, "2*0.4": 0.8}[text]
+                self.assertAlmostEqual(self.typed("Spacing", text, end, 2 * quantity_entry.REST_MS), wanted)
+            self.panel.reject()
+
+    def test_what_comes_in_while_one_types_does_not_write_over_it(self):
+        self.begin()
+        self.rows["ExtraTurns"].group.heading.setChecked(True)
+        for name, first, rest, value in (("Spacing", "0.", "6", 0.6), ("PatchSide", "1", "2", 12),
+                                         ("ExtraTurns", "0.", "25", 0.25)):  # fmt: skip
+            hands.enter(self.rows[name].editor, first, None)
+            self.panel.page.properties.store()
+            self.panel.page.properties.show()
+            hands.write(rest)
+            hands.press("Return")
+            self.panel.page.properties.store()
+            found = getattr(self.operation, name)
+            self.assertAlmostEqual(float(getattr(found, "Value", found)), value, msg=name)
 
     def test_inches_are_shown_with_the_digits_that_small_depths_need(self):
         rows = self.begin(INCHES)

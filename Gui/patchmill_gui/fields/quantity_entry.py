@@ -63,6 +63,15 @@ class QuantityEntry(QtCore.QObject):
         self.line.setText(unit_text.text_of(self.value, self.kind))
         self._own = False
 
+    def take(self):
+        """What was typed so far is taken. While the keyboard is in the field its text stays as it is: whoever
+        types slowly goes on in it."""
+        if not self.line.hasFocus():
+            self.commit()
+        elif self._typing:
+            self._rest.stop()
+            self._take_text()
+
     def commit(self):
         """What was typed is taken, or taken back if it cannot be read, and shown as a value."""
         if self._typing:

@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from patchmill.properties.property_table import UNITS, label_of
 from patchmill.voxels import axis_field
 
+from patchmill_gui.fields.typing_hand import is_typed_in
 from patchmill_gui.forms.choice_rows import ChoiceRow, MachineRow, ObjectListRow, ObjectRow
 from patchmill_gui.forms.property_rows import (
     FileRow,
@@ -99,10 +100,11 @@ class PropertyForm(QtCore.QObject):
             self.changed.emit()
 
     def show(self):
-        """Properties to editors, without `changed`."""
+        """Properties to editors, without `changed`; what is being typed stays."""
         self._showing = True
         for row in self.rows.values():
-            row.show(self.obj)
+            if not is_typed_in(row.editor):
+                row.show(self.obj)
         self._showing = False
 
     def store(self):

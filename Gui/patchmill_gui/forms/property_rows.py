@@ -53,7 +53,7 @@ class QuantityRow(Row):
 
     def store(self, obj):
         """Only what was edited."""
-        self.entry.commit()
+        self.entry.take()
         if self.entry.is_edited:
             setattr(obj, self.name, self.entry.value)
             self.entry.is_edited = False

@@ -15,6 +15,7 @@ from FreeCAD import Qt
 from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.events import kind_of
+from patchmill_gui.fields.quantity_entry import QuantityEntry
 
 # under white text, so that sentences are read as well in a dark theme as in a light one (contrast above 5)
 GOOD_COLOUR, DOUBT_COLOUR, ERROR_COLOUR = "#2e7d32", "#8a5a00", "#b71c1c"
@@ -73,6 +74,9 @@ class _EditorGuard(QtCore.QObject):
             return True
         if kind_of(event) == QtCore.QEvent.KeyPress and isinstance(editor, QtGui.QAbstractSpinBox):
             if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):
+                entry = editor.findChild(QuantityEntry)
+                if entry is not None:
+                    entry.commit()
                 editor.interpretText()
                 editor.selectAll()
                 return True
