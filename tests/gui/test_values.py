@@ -88,6 +88,11 @@ class Values(driver.BlockTest):
             self.panel.page.properties.store()
             found = getattr(self.operation, name)
             self.assertAlmostEqual(float(getattr(found, "Value", found)), value, msg=name)
+            setattr(self.operation, name, 2 * value)  # the typing has ended: the next value is shown
+            self.panel.page.properties.show()
+            self.panel.page.properties.store()
+            found = getattr(self.operation, name)
+            self.assertAlmostEqual(float(getattr(found, "Value", found)), 2 * value, msg=name)
 
     def test_inches_are_shown_with_the_digits_that_small_depths_need(self):
         rows = self.begin(INCHES)

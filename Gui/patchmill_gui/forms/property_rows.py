@@ -100,6 +100,7 @@ class TextRow(Row):
 
     def store(self, obj):
         assign(obj, self.name, self.editor.text())
+        self.editor.setModified(False)  # what was typed is taken: the next value may be shown
 
 
 class LinesRow(Row):
@@ -111,12 +112,16 @@ class LinesRow(Row):
         self.name = name
         super().__init__(editor, editor.textChanged)
 
+    def _lines(self):
+        return [line.strip() for line in self.editor.toPlainText().splitlines() if line.strip()]
+
     def show(self, obj):
-        self.editor.setPlainText("\n".join(getattr(obj, self.name)))
+        if self._lines() != list(getattr(obj, self.name)):  # a new text puts the cursor at its beginning
+            self.editor.setPlainText("\n".join(getattr(obj, self.name)))
 
     def store(self, obj):
-        lines = [line.strip() for line in self.editor.toPlainText().splitlines() if line.strip()]
-        assign(obj, self.name, lines)
+        assign(obj, self.name, self._lines())
+        self.editor.document().setModified(False)
 
 
 class FileRow(TextRow):
@@ -145,6 +150,7 @@ class FileRow(TextRow):
 
     def store(self, obj):
         assign(obj, self.name, self.line.text())
+        self.line.setModified(False)
 
 
 class VectorRow(Row):
