@@ -11,7 +11,8 @@ CornerTolerance::CornerTolerance(std::uint32_t steps)
              static_cast<std::uint8_t>(steps >> 16)} {}
 
 CornerTolerance CornerTolerance::at_least(double mm) {
-  return CornerTolerance(std::ceil(mm / kFinestRounding) * kFinestRounding);
+  constexpr double kSlack = 1e-6;  // of a step: what divisions leave of a whole one
+  return CornerTolerance(std::ceil(mm / kFinestRounding - kSlack) * kFinestRounding);
 }
 
 std::uint32_t CornerTolerance::steps_of(double mm) {

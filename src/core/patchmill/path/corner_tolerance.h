@@ -16,12 +16,12 @@ constexpr double kMachineTolerance =
 
 /// A tolerance [mm]: 0, the machine stops at the corner; NaN, it is as the machine is set; else the step of
 /// kFinestRounding next to what was given, but never 0, which would be a stop nobody asked for. Beyond 16.77 mm it is
-/// that: no path of ours has longer moves to round. Read and written like the number that it is.
+/// that: PathTolerance is 10 mm at most. Read and written like the number that it is.
 class CornerTolerance {
  public:
   constexpr CornerTolerance() = default;
   CornerTolerance(double mm) : CornerTolerance(steps_of(mm)) {}
-  /// The least step that is not below `mm`, a tolerance that somebody needs.
+  /// The least step that is not below `mm` (less 1e-12 mm): a tolerance that is needed.
   static CornerTolerance at_least(double mm);
   /// To the bit the decimal number that is posted.
   operator double() const {

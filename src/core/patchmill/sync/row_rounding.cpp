@@ -14,10 +14,6 @@ constexpr double kHeadroom = 1.05;              // of a corner's speed over the 
 constexpr double kSought[] = {1.4, 1.2, 1.06};  // headrooms that are tried for an arc
 constexpr double kSharpest = 0.5;               // rad: no corner of a row is sharper
 
-double on_grid(double tolerance) {
-  return std::ceil(tolerance / kFinestRounding - 1e-6) * kFinestRounding;
-}
-
 }  // namespace
 
 bool passes(const machine::CornerSide& before, const machine::CornerSide& after, double tolerance,
@@ -37,8 +33,8 @@ std::optional<double> rounding_for(const machine::CornerSide& before,
     const double v = headroom * speed;
     // an arc of one period, and one whose curvature the acceleration allows
     const double period = v * model.period / angle * (1.0 / std::cos(0.5 * angle) - 1.0);
-    const double found =
-        on_grid(std::max(period, machine::tolerance_for_speed(angle, v, model.acceleration)));
+    const double found = CornerTolerance::at_least(
+        std::max(period, machine::tolerance_for_speed(angle, v, model.acceleration)));
     if (found <= kCoarsestRow && passes(before, after, found, speed, model)) return found;
   }
   return std::nullopt;
