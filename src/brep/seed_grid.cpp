@@ -36,6 +36,20 @@ bool inverse_bilinear(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d
   return s >= -kMargin && s <= 1.0 + kMargin && t >= -kMargin && t <= 1.0 + kMargin;
 }
 
+// Least and greatest coordinates of a cell with its margin: what lies beyond them is not tried on it.
+struct Reach {
+  Vec2 low, high;
+  Reach(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+      : low(a.cwiseMin(b).cwiseMin(c.cwiseMin(d))), high(a.cwiseMax(b).cwiseMax(c.cwiseMax(d))) {
+    const Vec2 grow = kMargin * (high - low);
+    low -= grow;
+    high += grow;
+  }
+  bool holds(const Vec2& p) const {
+    return p.x() >= low.x() && p.x() <= high.x() && p.y() >= low.y() && p.y() <= high.y();
+  }
+};
+
 }  // namespace
 
 SeedGrid::SeedGrid(const std::function<Vec2(double, double)>& plan, const ParameterBox& box,
@@ -91,16 +105,11 @@ void SeedGrid::bin() {
   auto each_bin = [&](const auto& visit) {
     for (int j = 0; j < nv_; ++j)
       for (int i = 0; i < nu_; ++i) {
-        const Vec2 &a = corner(i, j), &b = corner(i + 1, j), &c = corner(i, j + 1),
-                   &d = corner(i + 1, j + 1);
-        Vec2 lo = a.cwiseMin(b).cwiseMin(c).cwiseMin(d), hi = a.cwiseMax(b).cwiseMax(c).cwiseMax(d);
-        const Vec2 grow = kMargin * (hi - lo);
-        lo -= grow;
-        hi += grow;
-        const int x0 = std::max(0, int((lo.x() - low_.x()) / bin_size_.x()));
-        const int x1 = std::min(bins_x_ - 1, int((hi.x() - low_.x()) / bin_size_.x()));
-        const int y0 = std::max(0, int((lo.y() - low_.y()) / bin_size_.y()));
-        const int y1 = std::min(bins_y_ - 1, int((hi.y() - low_.y()) / bin_size_.y()));
+        const Reach cell(corner(i, j), corner(i + 1, j), corner(i, j + 1), corner(i + 1, j + 1));
+        const int x0 = std::max(0, int((cell.low.x() - low_.x()) / bin_size_.x()));
+        const int x1 = std::min(bins_x_ - 1, int((cell.high.x() - low_.x()) / bin_size_.x()));
+        const int y0 = std::max(0, int((cell.low.y() - low_.y()) / bin_size_.y()));
+        const int y1 = std::min(bins_y_ - 1, int((cell.high.y() - low_.y()) / bin_size_.y()));
         for (int y = y0; y <= y1; ++y)
           for (int x = x0; x <= x1; ++x) visit(y * bins_x_ + x, j * nu_ + i);
       }
@@ -122,10 +131,10 @@ void SeedGrid::seeds(const Vec2& p, std::vector<Seed>& out) const {
   const std::size_t bin = std::size_t(by) * std::size_t(bins_x_) + std::size_t(bx);
   for (int k = bin_begin_[bin]; k < bin_begin_[bin + 1]; ++k) {
     const int cell = bin_cells_[std::size_t(k)], i = cell % nu_, j = cell / nu_;
+    const Vec2 &a = corner(i, j), &b = corner(i + 1, j), &c = corner(i, j + 1),
+               &d = corner(i + 1, j + 1);
     double s, t;
-    if (!inverse_bilinear(corner(i, j), corner(i + 1, j), corner(i, j + 1), corner(i + 1, j + 1), p,
-                          s, t))
-      continue;
+    if (!Reach(a, b, c, d).holds(p) || !inverse_bilinear(a, b, c, d, p, s, t)) continue;
     s = std::clamp(s, 0.0, 1.0);
     t = std::clamp(t, 0.0, 1.0);
     out.push_back({box_.u0 + (box_.u1 - box_.u0) * (i + s) / nu_,
