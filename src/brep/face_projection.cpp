@@ -20,6 +20,8 @@ constexpr double kRay = 1e6;
 // Residual [mm] from which one linear step is exact, and the normal taken before it is too.
 constexpr double kNearEnough = 1e-9;
 constexpr int kMostSteps = 20;
+// Of the parameter rectangle: nearer than that to a root an iteration would end there, in two steps more.
+constexpr double kSameRoot = 1e-5;
 
 Vec3 vec(const gp_XYZ& p) {
   return {p.X(), p.Y(), p.Z()};
@@ -72,7 +74,7 @@ FaceProjection::FaceProjection(const TopoDS_Face& face, const patch::TexturePlan
       face_(face) {}
 
 FaceProjection::Worker FaceProjection::worker() const {
-  return {polynomial_ ? Handle(Adaptor3d_Surface)() : surface_.ShallowCopy(), {}};
+  return {polynomial_ ? Handle(Adaptor3d_Surface)() : surface_.ShallowCopy(), {}, {}};
 }
 
 SurfaceD1 FaceProjection::d1(double u, double v, const Worker& worker) const {
@@ -114,12 +116,22 @@ FaceProjection::Outcome FaceProjection::newton(const Vec2& q, const Seed& seed, 
     if (u < box_.u0 - margin_u || u > box_.u1 + margin_u || v < box_.v0 - margin_v ||
         v > box_.v1 + margin_v)
       return Outcome::Left;
+    if (near_known(u, v, worker)) return Outcome::Known;
   }
   return Outcome::Failed;
 }
 
+bool FaceProjection::near_known(double u, double v, const Worker& worker) const {
+  for (const Seed& root : worker.roots)
+    if (std::abs(u - root.u) < kSameRoot * (box_.u1 - box_.u0) &&
+        std::abs(v - root.v) < kSameRoot * (box_.v1 - box_.v0))
+      return true;
+  return false;
+}
+
 std::optional<Hit> FaceProjection::first_hit(const Vec2& q, Worker& worker) const {
   worker.seeds.clear();
+  worker.roots.clear();
   seeds_.seeds(q, worker.seeds);
   std::optional<Hit> first;
   bool failed = false;
@@ -128,7 +140,9 @@ std::optional<Hit> FaceProjection::first_hit(const Vec2& q, Worker& worker) cons
     Hit hit;
     const Outcome outcome = newton(q, seed, worker, root, hit);
     if (outcome == Outcome::Failed) failed = true;
-    if (outcome != Outcome::Converged || (first && hit.depth >= first->depth)) continue;
+    if (outcome != Outcome::Converged) continue;
+    worker.roots.push_back(root);
+    if (first && hit.depth >= first->depth) continue;
     if (trim_.inside(root.u, root.v)) first = hit;
   }
   if (!failed) return first;
@@ -146,6 +160,7 @@ std::optional<Hit> FaceProjection::ask_intersector(const Vec2& q, Worker& worker
   const gp_Dir direction(plane_.direction.x(), plane_.direction.y(), plane_.direction.z());
   intersector_->Perform(gp_Lin(pnt(from), direction), -kRay, kRay);
   std::optional<Hit> first;
+  worker.roots.clear();
   if (!intersector_->IsDone()) return first;
   for (int k = 1; k <= intersector_->NbPnt(); ++k) {
     const Seed found{intersector_->UParameter(k), intersector_->VParameter(k)};

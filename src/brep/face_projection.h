@@ -42,7 +42,7 @@ class FaceProjection {
   /// last (null where the polynomial serves), and scratch space.
   struct Worker {
     Handle(Adaptor3d_Surface) surface;
-    std::vector<Seed> seeds;
+    std::vector<Seed> seeds, roots;  ///< of one place: where Newton's method starts, what it found
   };
   Worker worker() const;
 
@@ -56,9 +56,10 @@ class FaceProjection {
   long fallbacks() const { return fallbacks_; }
 
  private:
-  enum class Outcome { Converged, Left, Failed };
+  enum class Outcome { Converged, Known, Left, Failed };  // Known: of another seed
   Outcome newton(const Vec2& q, const Seed& seed, Worker& worker, Seed& root, Hit& hit) const;
   std::optional<Hit> ask_intersector(const Vec2& q, Worker& worker) const;
+  bool near_known(double u, double v, const Worker& worker) const;
   Vec3 normal_near(const Seed& at, const Worker& worker) const;
   Vec3 normal_of(const SurfaceD1& at) const;
   SurfaceD1 d1(double u, double v, const Worker& worker) const;
