@@ -8,6 +8,7 @@ import driver
 import FreeCAD
 import FreeCADGui
 import hands
+from patchmill_gui.forms import post_dialog
 from patchmill_gui.panels.texture_head import Head
 from PySide import QtGui
 
@@ -57,6 +58,22 @@ class Leaving(driver.BlockTest):
         self.document.removeObject(self.operation.Name)
         self.assertTrue(driver.wait(lambda: not driver.panel_open()))
         self.assertNotIn("CurvedTexture", self.names())
+
+    def test_what_the_post_window_is_about_takes_it_along(self):
+        """Undo takes the job back, with which the command made the texture; or the document is closed."""
+        for end in (lambda: FreeCADGui.runCommand("Std_Undo"), lambda: FreeCAD.closeDocument(self.name)):
+            if not driver.panel_open():
+                self.operation, self.panel = driver.begin_texture(self.part)
+            driver.accept(self.panel)
+            window = post_dialog.show(self.operation.Proxy.getJob(self.operation))
+            self.assertTrue(window.isVisible())
+            end()
+            self.assertTrue(driver.wait(lambda: not self.post_windows(), 10))
+
+    @staticmethod
+    def post_windows():
+        windows = FreeCADGui.getMainWindow().findChildren(QtGui.QDialog, "PostDialog")
+        return [window for window in windows if window.isVisible()]
 
     def test_a_closed_document_takes_its_panel_along(self):
         FreeCAD.closeDocument(self.name)

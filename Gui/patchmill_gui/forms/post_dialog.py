@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import os
 
+import FreeCAD
 import FreeCADGui
 import patchmill
 from _patchmill import InputError
@@ -14,6 +15,7 @@ from patchmill.machine.machining_time import in_words
 from patchmill.posting import proposal
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.object_watch import ObjectWatch
 from patchmill_gui.forms.widgets import (
     ERROR_COLOUR,
     GOOD_COLOUR,
@@ -48,6 +50,20 @@ class PostDialog(QtGui.QDialog):
         self.posted = None
         self._build()
         guard_editors(self)
+        self.watch = ObjectWatch(job, self._gone)
+        FreeCAD.addDocumentObserver(self.watch)
+        self.finished.connect(self._unwatch)
+
+    def _gone(self):
+        """The job is being deleted, by an undo maybe, or its document is closed: the window goes when that is
+        done."""
+        self._unwatch()
+        QtCore.QTimer.singleShot(0, self.reject)
+
+    def _unwatch(self, *_):
+        if self.watch is not None:
+            FreeCAD.removeDocumentObserver(self.watch)
+            self.watch = None
 
     def _build(self):
         layout = QtGui.QVBoxLayout(self)

@@ -4,13 +4,11 @@ progress, result or error it shows.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import weakref
-
 import FreeCAD
 import FreeCADGui
-
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.object_watch import ObjectWatch
 from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, button_number, noticed, wrapping_label
 from patchmill_gui.work.background import Background
 
@@ -25,7 +23,7 @@ class ClosePanel:
         self.form.setWindowTitle(title)
         self.layout = QtGui.QVBoxLayout(self.form)
         self.opened = False
-        self.watch = _Watch(operation, self._gone)
+        self.watch = ObjectWatch(operation, self._gone)
         FreeCAD.addDocumentObserver(self.watch)
 
     def getStandardButtons(self):
@@ -57,25 +55,6 @@ class ClosePanel:
 
     def accept(self):
         return self.reject()
-
-
-class _Watch:
-    """FreeCAD's observer that calls `gone`, a method that it does not keep alive, when a document object
-    goes, or its document."""
-
-    def __init__(self, obj, gone):
-        self.place, self.gone = (obj.Document.Name, obj.Name), weakref.WeakMethod(gone)
-
-    def slotDeletedObject(self, obj):
-        self._tell((obj.Document.Name, obj.Name) == self.place)
-
-    def slotDeletedDocument(self, document):
-        self._tell(document.Name == self.place[0])
-
-    def _tell(self, mine):
-        gone = self.gone()
-        if mine and gone is not None:
-            gone()
 
 
 class WorkPanel(ClosePanel):
