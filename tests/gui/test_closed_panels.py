@@ -11,7 +11,10 @@ import traceback
 import driver
 import FreeCAD
 import FreeCADGui
+from patchmill_gui.forms import widgets
+from PySide import QtGui
 
+DELETED = "Internal C++ object (PySide2.QtWidgets.QAbstractSpinBox) already deleted."
 KINDS = ("TexturePanel", "CopyPanel", "DcmPanel", "PropertyForm", "Advising")
 
 
@@ -56,6 +59,44 @@ class ClosedPanels(driver.unittest.TestCase):
         del panel
         FreeCADGui.runCommand("Std_Undo")
         self.assertNothingLeft()
+
+    def test_an_editor_that_python_takes_for_a_deleted_one_stops_no_panel(self):
+        """The others are guarded, and it as well where forgetting what is deleted helps."""
+
+        class Taken(QtGui.QSpinBox):
+            times = 0
+
+            def findChild(self, *wanted):
+                self.times -= 1
+                if self.times >= 0:
+                    raise RuntimeError(DELETED)
+                return super().findChild(*wanted)
+
+        for times, guarded in ((0, 3), (1, 3), (9, 2)):
+            form = QtGui.QWidget()
+            editors = [QtGui.QSpinBox(form), Taken(form), QtGui.QComboBox(form)]
+            editors[1].times = times
+            widgets.guard_editors(form)
+            self.assertEqual(len(form.findChildren(widgets._EditorGuard)), guarded)
+
+    def test_a_panel_is_made_again_where_python_takes_a_widget_of_it_for_a_deleted_one(self):
+        made = []
+
+        def make():
+            made.append(QtGui.QWidget())
+            if len(made) < 3:
+                raise RuntimeError(DELETED)
+            return made[-1]
+
+        before = len(widgets._taken)
+        self.assertIs(widgets.made_alive(make), made[2])
+        self.assertEqual(len(widgets._taken), before + 2)
+
+        def fail():
+            raise RuntimeError("something else")
+
+        self.assertRaises(RuntimeError, widgets.made_alive, fail)
+        del widgets._taken[before:]
 
     def test_of_a_texture_whose_document_is_closed(self):
         driver.begin_texture(self.part)

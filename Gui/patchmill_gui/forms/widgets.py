@@ -60,6 +60,20 @@ def living(make):
     raise RuntimeError("PySide takes each of %d new widgets for a deleted one" % MOST_TAKEN)
 
 
+def made_alive(make):
+    """What `make()` returns, made again where it fails for a widget that PySide takes for a deleted one, as
+    in FreeCAD's own pages: what was made until then is kept, so that its addresses are left taken."""
+    for _ in range(MOST_TAKEN):
+        try:
+            return make()
+        except RuntimeError as error:
+            if DELETED not in str(error):
+                raise
+            _taken.append(error)  # with the frames of its traceback, and all that they made
+    return make()
+
+
+DELETED = "already deleted"  # PySide's words
 MOST_TAKEN = 50
 _taken: list = []
 
@@ -84,12 +98,28 @@ class _EditorGuard(QtCore.QObject):
 
 
 def guard_editors(widget):
-    """The wheel edits nothing in `widget`, itself included, and Return in a number is no OK."""
+    """The wheel edits nothing in `widget`, itself included, and Return in a number is no OK. Where Python
+    still knows a deleted editor of the same address, that is forgotten first; what cannot be told from a
+    deleted one even then stays without a guard."""
+    if not _guard_living(widget):
+        forget_closed_panels()
+        _guard_living(widget)
+
+
+def _guard_living(widget):
+    """Guards the editors that Python can use; whether those are all."""
     kinds = (QtGui.QAbstractSpinBox, QtGui.QComboBox, QtGui.QAbstractSlider)
+    all_alive = True
     for each in [widget] + widget.findChildren(QtGui.QWidget):
         if isinstance(each, kinds) and not isinstance(each, QtGui.QScrollBar):
-            if each.findChild(_EditorGuard) is None:
-                each.installEventFilter(_EditorGuard(each))
+            try:
+                if each.findChild(_EditorGuard) is None:
+                    each.installEventFilter(_EditorGuard(each))
+            except RuntimeError as gone:
+                if DELETED not in str(gone):
+                    raise
+                all_alive = False
+    return all_alive
 
 
 def button_number(buttons):

@@ -13,7 +13,7 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.resources import native
-from patchmill_gui.forms.widgets import forget_closed_panels, guard_editors, let_shrink, translate
+from patchmill_gui.forms.widgets import forget_closed_panels, guard_editors, let_shrink, made_alive, translate
 
 
 NativeView: typing.Any = native("operation").ViewProvider
@@ -52,11 +52,19 @@ class OperationView(NativeView):
             return False
         vobj = vobj if vobj is not None and hasattr(vobj, "Object") else self.vobj
         forget_panels()
-        page = self.getTaskPanelOpPage(vobj.Object)
+        panel = made_alive(lambda: self._new_panel(vobj.Object))
+        try:
+            self.setupTaskPanel(panel)
+        except Exception:
+            panel.stop()  # it is not shown: what it has begun would go on without it
+            raise
+        return True
+
+    def _new_panel(self, obj):
+        page = self.getTaskPanelOpPage(obj)
         page.setTitle(self.OpName)
         page.setIcon(self.OpIcon)
-        self.setupTaskPanel(self.make_panel(vobj.Object, page))
-        return True
+        return self.make_panel(obj, page)
 
     def unsetEdit(self, vobj=None, mode=0):
         """Something else is edited, or the object goes: unlike FreeCAD's own, what was made for the panel
