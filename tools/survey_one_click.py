@@ -19,7 +19,7 @@ import one_click
 import other_parts
 import patchmill
 from _patchmill import InputError
-from patchmill.advice import apply, assessment, choice
+from patchmill.advice import apply, assessment, cells, choice, verdict
 from patchmill.advice.found import GOOD
 from patchmill.textures.order import rows
 from patchmill.textures.plan import plan_texture
@@ -32,7 +32,7 @@ COLUMNS = (
     "dimples", "values", "min", "foreseen", "times the best", "cpu s",
 )  # fmt: skip
 SHORT = {"Spindle-locked": "locked", "Constant feed, fitted stops": "fitted", "Feed per move": "feed"}
-COLOURS = {texture_head.GREEN: "green", texture_head.AMBER: "amber", texture_head.RED: "red"}
+COLOURS = {verdict.GOOD: "green", verdict.DOUBTFUL: "amber", verdict.BAD: "red"}
 SPEEDS = 3  # the highest ones that are chosen from, beside the first and the one that was chosen
 SQUARES = 24  # of a document, spread over its faces
 
@@ -44,19 +44,20 @@ def head(operation):
     except InputError as error:
         return "red", str(error), math.nan
     found = one_click.assess(plan.asked, 3, whole=True)
-    colour, sentence = texture_head._verdict(found, plan.pacing.verdict)
-    return COLOURS[colour], sentence, plan.path.statistics()["timed_seconds"] / 60.0
+    phase = plan.pacing.verdict
+    sentence = texture_head.verdict_of(found, phase)[1]
+    return COLOURS[verdict.judge(found, phase)[0]], sentence, plan.path.statistics()["timed_seconds"] / 60.0
 
 
 def judged(operation):
     """What the document is worth, as the machine's model runs it, borders and links included: 'part of the
-    dimples in squares of GOOD quality, quality of all squares'. '-' where nothing is planned; 'steep' where
-    the texture is laid on faces that are too steep for one relief over the plane: there the head looks at
-    patches from their own side, and this at none."""
+    area whose cells are as planned; part of the dimples in squares of GOOD quality; quality of all squares'.
+    '-' where nothing is planned; 'steep' where the texture is laid on faces that are too steep for one
+    relief over the plane: there the head looks at patches from their own side, and this at none."""
     plan = operation.Proxy.planned
     if plan is None:
         return "-"
-    if plan.asked.mapping != "Projected" and assessment._steepest(plan) > assessment.STEEP:
+    if plan.asked.mapping != "Projected" and assessment.steepest(plan) > assessment.STEEP:
         return "steep"
     results = [
         patchmill.simulate(plan, machine=plan.machine, window=window)
@@ -65,8 +66,10 @@ def judged(operation):
     quality = np.array([result.quality for result in results])
     planned = np.array([len(result.found["dimple"]) for result in results])
     marks = planned + [len(result.found["extra"]) for result in results]
-    good = planned[quality >= GOOD].sum() / planned.sum()
-    return "%.0f %%, %.2f" % (100.0 * good, np.average(quality, weights=marks))
+    squares = planned[quality >= GOOD].sum() / planned.sum()
+    share = cells.good_share(results)
+    whole = np.average(quality, weights=marks)
+    return "%.0f %%; %.0f %%; %.2f" % (100.0 * share, 100.0 * squares, whole)
 
 
 def values(operation):

@@ -7,8 +7,9 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 from dataclasses import replace
 from functools import partial
 
+import FreeCAD
 from _patchmill import InputError
-from patchmill.advice import apply, assessment, choice, remedies
+from patchmill.advice import apply, assessment, choice, hollows, remedies
 from patchmill.textures import strategies
 from patchmill.verify.simulation import simulate
 from PySide import QtCore
@@ -42,6 +43,16 @@ def _assess_and_draw(given, progress):
     if found is None:
         return None
     return found, relief_of(worst.result)[0] if worst.result is not None else {}
+
+
+def _find_help(finder, given, progress):
+    """(Remedies, (least radius of the faces' hollows, that of the ball) [mm] if it does not fit or None), or
+    None if cancelled."""
+    found = finder.find(given, progress)
+    if found is None:
+        return None
+    narrow = hollows.too_narrow(given)
+    return found, None if narrow is None else (narrow, given.tool.radius)
 
 
 class Advising(QtCore.QObject):
@@ -164,10 +175,18 @@ class Advising(QtCore.QObject):
         self.head.note(translate("PatchMill", "Looking for what helps …"))
         before, model = self._as_before(), apply.model_of(self.obj)
         finder = remedies.Finder(assess, choose, free, can_incline, chosen or None, before, model)
-        self.helping.start(lambda progress: finder.find(given, progress))
+        self.helping.start(lambda progress: _find_help(finder, given, progress))
 
-    def _helped(self, found):
-        self.head.note("" if found else translate("PatchMill", "Nothing that was tried makes it better."))
+    def _helped(self, made):
+        found, radii = made or (None, None)
+        note = "" if found else translate("PatchMill", "Nothing that was tried makes it better.")
+        if radii is not None:
+            bends = translate(
+                "PatchMill", "The faces bend in to a radius of {}; the ball of {} does not fit there."
+            )
+            said = (FreeCAD.Units.Quantity(radius, "mm").UserString for radius in radii)
+            note = " ".join(filter(None, (note, bends.format(*said))))
+        self.head.note(note)
         self.head.offer(found or [])
 
     def _take(self, remedy):

@@ -4,7 +4,10 @@ at the top of FreeCAD's panel however far that is scrolled, and never shows old 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import math
+
 import FreeCAD
+from patchmill.advice import verdict
 from patchmill.advice.found import GOOD_FRACTION
 from patchmill.advice.remedies import LAID
 from patchmill.machine.machining_time import in_words
@@ -64,8 +67,8 @@ class Head(QtGui.QFrame):
         self.note("")
         self._say(GREY, sentence)
 
-    def show_found(self, found, seconds, verdict, notes=()):
-        """`found`: an Assessment; `seconds` of milling; `verdict`: a _patchmill.Verdict, or None where no
+    def show_found(self, found, seconds, phase, notes=()):
+        """`found`: an Assessment; `seconds` of milling; `phase`: a _patchmill.Verdict, or None where no
         machine was named; `notes`: sentences that the user should read."""
         lines = [
             "<b>%s</b> · %s"
@@ -86,7 +89,7 @@ class Head(QtGui.QFrame):
             lines.append(away.format(100.0 * found.away_fraction))
         lines += list(notes)
         self.text.setText("<br>".join(lines))
-        self._say(*_verdict(found, verdict))
+        self._say(*verdict_of(found, phase))
 
     def show_error(self, sentence):
         self.text.setText("")
@@ -193,24 +196,30 @@ def _scroll_to(area, value):
     bar.setValue(value)
 
 
-def _verdict(found, verdict):
-    """(colour, sentence) of an Assessment and a Verdict."""
-    if verdict is not None and verdict.holding not in ("holds", "unknown"):
-        return RED, verdict.sentence
-    if not found.patches:
-        return AMBER, translate("PatchMill", "Not simulated")
+def verdict_of(found, phase):
+    """(colour, sentence) of an Assessment and a _patchmill.Verdict, or None where no machine was named."""
+    level, why = verdict.judge(found, phase)
+    colour = {verdict.GOOD: GREEN, verdict.DOUBTFUL: AMBER, verdict.BAD: RED}[level]
     share = "%.0f %%" % (100.0 * found.good_fraction)
-    if not found.borders_are_good:
-        short = translate("PatchMill", "Quality {} with the borders of the faces, {} inside")
-        return AMBER, short.format("%.2f" % found.whole, "%.2f" % found.quality)
-    if found.good_fraction >= GOOD_FRACTION and verdict is not None:
-        return GREEN, translate("PatchMill", "Good: {} of the faces as planned").format(share)
-    if found.good_fraction >= GOOD_FRACTION:
-        return AMBER, translate("PatchMill", "Good if the machine holds the phase: choose a machine to know")
-    short = translate("PatchMill", "{} of the faces good; {} left out").format(
-        share, "%.0f %%" % (100.0 * (1.0 - found.milled_fraction))
-    )
-    return (AMBER if found.good_fraction > 0.5 else RED), short
+    left_out = "%.0f %%" % (100.0 * (1.0 - found.milled_fraction))
+    short = translate("PatchMill", "{} of the faces good; {} left out").format(share, left_out)
+    if why == verdict.LOST:
+        return colour, phase.sentence
+    if why == verdict.BORDERS:
+        text = translate("PatchMill", "Quality {} with the borders of the faces, {} inside")
+        whole = math.floor(100.0 * found.whole) / 100.0  # 0.949 is not good, and shall not read as if
+        return colour, text.format("%.2f" % whole, "%.2f" % found.quality)
+    if why == verdict.AWAY:
+        text = translate("PatchMill", "{} of the faces good; the rest looks away: turn the part for it")
+        return colour, text.format(share)
+    said = {
+        verdict.NOT_SIMULATED: translate("PatchMill", "Not simulated"),
+        verdict.ALL: translate("PatchMill", "Good: {} of the faces as planned").format(share),
+        verdict.PHASE_UNKNOWN: translate(
+            "PatchMill", "Good if the machine holds the phase: choose a machine to know"
+        ),
+    }
+    return colour, said.get(why, short)
 
 
 def remedy_text(remedy):

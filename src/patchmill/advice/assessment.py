@@ -49,7 +49,8 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     (fraction -> bool) returned False. Raises InputError where no dimple can be placed.
 
     `middle_first`: if the patch of middle tilts is not GOOD, no other is looked at, and they count as it
-    does. `whole`: a texture whose patches are good is simulated as a whole as well, borders included.
+    does. `whole`: a texture whose patches are good, however much is left out, is simulated as a whole as
+    well, borders included.
     `known`: the Assessment of its patches."""
     if known is not None:
         return replace(known, whole=_whole(simulate, given) if whole else known.whole)
@@ -81,7 +82,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     found.patches = [made[k] for k in sorted(made)]
     rates = [patch.seconds_per_dimple for patch in found.patches if patch.seconds_per_dimple]
     found.seconds = float(np.mean(rates)) * found.dimples if rates else 0.0
-    if whole and found.good:
+    if whole and found.remains_good:
         found.whole = _whole(simulate, given)
     return found
 
@@ -114,7 +115,7 @@ def _whole(simulate, given):
     BORDERS_COUNT, or where the texture lies on faces too steep for one relief over the plane."""
     try:
         plan = plan_texture(given)
-        if given.mapping != "Projected" and _steepest(plan) > STEEP:
+        if given.mapping != "Projected" and steepest(plan) > STEEP:
             return None
         verdict = plan.pacing.verdict
         if verdict is not None and not given.keeps_phase.polygons and verdict.holding != "holds":
@@ -151,7 +152,7 @@ def _quality_in(simulate, plan, windows):
     return float(np.average([result.quality for result in results], weights=marks))
 
 
-def _steepest(plan):
+def steepest(plan):
     """Angle [rad] of the milled dimples' normals to where the texture is projected from."""
     normals = plan.dimples.normals[plan.dimples.states == core.DimpleState.CUT]
     return float(np.arccos(np.clip(-(normals @ np.asarray(plan.plane.direction)).max(), -1.0, 1.0)))
@@ -213,12 +214,9 @@ def _patch(simulate, given, placed, number, tilt):
         given = replace(given, origin=position, patches_x=1, patches_y=1, minimum_dimples=0)
         if given.mapping != "Projected":  # the same dimples from any side: steep ones are seen from theirs
             normal = tuple(-float(c) for c in placed.dimples.normals[number])
-            given = replace(given, direction=normal, auto_direction=False)
+            given = _seen_along(given, normal)
     try:
-        plan = plan_texture(given)
-        half = plan.input.spacing * min(0.5 * WINDOW, 0.5 * given.patch_side)
-        window = None if few else ((-half, -half), (half, half))
-        result = simulate(plan, machine=plan.machine, window=window)
+        plan, result = _patch_alone(simulate, given, few)
     except InputError as error:
         looked.problem = str(error)
         return looked
@@ -228,3 +226,22 @@ def _patch(simulate, given, placed, number, tilt):
     looked.array = result.alignment["state"]
     looked.seconds_per_dimple = plan.path.statistics()["timed_seconds"] / max(1, plan.counts["cut"])
     return looked
+
+
+def _seen_along(given, direction):
+    """A TextureInput whose one patch is laid where it begins, seen along `direction`; from where it was seen
+    before where that meets another side of the faces first, as in a bore."""
+    turned = replace(given, direction=direction, auto_direction=False)
+    try:
+        place_texture(turned)
+    except InputError:
+        return given
+    return turned
+
+
+def _patch_alone(simulate, given, few):
+    """(PlannedTexture, SimulatedTexture) of one patch, or of all dimples if they are so `few`."""
+    plan = plan_texture(given)
+    half = plan.input.spacing * min(0.5 * WINDOW, 0.5 * given.patch_side)
+    window = None if few else ((-half, -half), (half, half))
+    return plan, simulate(plan, machine=plan.machine, window=window)

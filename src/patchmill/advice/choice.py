@@ -174,7 +174,7 @@ def _with_borders(assess, given, choice, own):
             continue
         if (other.assessment.whole or 0.0) > best.assessment.whole:
             best = other
-        if best.assessment.good:
+        if best.assessment.remains_good:
             break
     return best
 
@@ -201,7 +201,7 @@ def _fastest(assess, given, choices, rpms, progress):
     best = None
     tried = TRIED if max(choice.assessment.dimples for choice in choices) <= SMALL else TRIED_LARGE
     for choice in islice(_by_time(assess, given, choices, rpms, progress), tried):
-        if not choice.assessment.good:
+        if not choice.assessment.remains_good:
             return best or choice
         whole = assess(replace(given, **choice.fields), whole=True, known=choice.assessment)
         if best is None or whole.worth > best.assessment.worth:

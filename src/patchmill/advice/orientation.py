@@ -64,6 +64,18 @@ def good_fraction(normals, weights, up, flattest=BEST_TILTS[0], laid=False):
     return float((weights * counts * (tilts > flattest) * (tilts < steepest)).sum() / weights.sum())
 
 
+def reached_fraction(normals, areas):
+    """Of the faces, what one setup reaches at most: what looks up at LAID_STEEP or less, as the part lies or
+    leant."""
+    ups = [(0.0, 0.0, 1.0)]
+    for angle in ANGLES:
+        for k in range(AZIMUTHS):
+            azimuth = 2.0 * math.pi * k / AZIMUTHS
+            ups.append(up_of((math.cos(azimuth), math.sin(azimuth), 0.0), angle))
+    least = math.cos(math.radians(LAID_STEEP))
+    return float(((normals @ np.array(ups).T >= least) * areas[:, None]).sum(axis=0).max() / areas.sum())
+
+
 def seen_fraction(given, direction):
     """Of the faces' area, what looks against `direction`, no steeper than the texture's SteepestSlope."""
     normals, areas = face_normals(given)

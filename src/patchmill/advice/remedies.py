@@ -21,9 +21,11 @@ LEAD = 20.0  # of a tool that follows the normals [degrees]
 FINER = (0.6, 0.4)  # of the spacing
 APART = 15.0  # degrees between inclinations that are both tried
 SIDEWAYS = 0.5  # cosine to Z, below which faces are looked at along their own normal
-WORTH_TRYING = 0.75  # of the faces at good tilts, by their normals
+WORTH_TRYING = 0.75  # of what one setup reaches of the faces, at good tilts by their normals
 UPRIGHT = (0.0, 0.0, 1.0)
 LAID = {"mapping": "On surface", "steepest_slope": orientation.LAID_STEEP}
+NEARLY = 0.93  # of what one setup reaches: leaning otherwise hardly gains
+MOST = 0.75  # of what the best makes good: what leaves only good dimples is better even if that is less
 ENOUGH = 2  # good remedies, after which dearer ones are not tried
 
 
@@ -58,7 +60,8 @@ class Finder:
         if not len(normals):
             return []
         now = self._assessed(given)
-        first, last = self._tries(given, normals, areas)
+        reached = orientation.reached_fraction(normals, areas)
+        first, last = self._tries(given, normals, areas, WORTH_TRYING * reached)
         found: list[Remedy] = []
         slow = self._slow_strategies(given)
 
@@ -69,7 +72,7 @@ class Finder:
             if progress and not progress(number / len(first + last)):
                 return None
             enough = ENOUGH if number < len(first) else 1
-            if sum(remedy.assessment.good and not is_slow(remedy) for remedy in found) >= enough:
+            if sum(_is_enough(one.assessment, reached) and not is_slow(one) for one in found) >= enough:
                 break
             try:
                 remedy = attempt()
@@ -77,10 +80,14 @@ class Finder:
                 continue
             if remedy is not None and _is_better(remedy.assessment, now):
                 found.append(remedy)
-        return sorted(
-            found,
-            key=lambda r: (not r.assessment.good, is_slow(r), -round(r.assessment.good_fraction, 2)),
-        )
+        most = max((remedy.assessment.good_fraction for remedy in found), default=0.0)
+
+        def rank(remedy):
+            made = remedy.assessment
+            leaves_good = made.remains_good and made.good_fraction >= MOST * most
+            return not made.good, is_slow(remedy), not leaves_good, -round(made.good_fraction, 2)
+
+        return sorted(found, key=rank)
 
     @staticmethod
     def _slow_strategies(given):
@@ -89,9 +96,10 @@ class Finder:
         lock = bool(given.machine) and machines.load(given.machine).model.spindle_lock
         return POLYGONS if lock else ()
 
-    def _tries(self, given, normals, areas):
+    def _tries(self, given, normals, areas, worth):
         """Two lists of functions that make a Remedy or None: those that keep the dimples as they were asked
-        for, and those that are tried while none is good and fast."""
+        for, and those that are tried while none is good and fast, if by their normals more than `worth` of
+        the faces lies well."""
         machine = machines.load(given.machine) if given.machine else None
         leanings = orientation.leanings(normals, areas)
         best, other = leanings[0], _apart(leanings)
@@ -107,26 +115,27 @@ class Finder:
         if self.can_incline:
             first.append(lambda: self._incline(given, best))
         first.append(lambda: self.leave_out(whole))
-        last.extend(self._laid_tries(given, normals, areas, machine))
+        last.extend(self._laid_tries(given, normals, areas, machine, worth))
         for part in FINER if given.spacing and given.texture_kind == "Overlapping" else ():
             flattest = part * orientation.BEST_TILTS[0]
-            if orientation.good_fraction(normals, areas, UPRIGHT, flattest) > WORTH_TRYING:
+            if orientation.good_fraction(normals, areas, UPRIGHT, flattest) > worth:
                 last.append(partial(self._finer, given, part))
             lean = orientation.leanings(normals, areas, flattest=flattest)[0]
-            if self.can_incline and lean[0] > max(WORTH_TRYING, best[0] + MIN_GAIN):
+            if self.can_incline and lean[0] > max(worth, best[0] + MIN_GAIN):
                 last.append(partial(self._incline, given, lean, part))
-        if self.can_incline and other and other[0][0] > WORTH_TRYING:
-            last.extend(partial(self._incline, given, one) for one in other)
+        if self.can_incline:
+            worth = min(worth, WORTH_TRYING * best[0])
+            last.extend(partial(self._incline, given, one) for one in other if one[0] > worth)
         return first, last
 
-    def _laid_tries(self, given, normals, areas, machine):
+    def _laid_tries(self, given, normals, areas, machine, worth):
         """Functions that make a Remedy or None: the lattice laid on the faces, where it is not stretched
         however steep they are; as the part lies, and leant so that few faces are flat or look away."""
         if given.mapping != "Projected":
             return
         upright = orientation.good_fraction(normals, areas, UPRIGHT, laid=True)
         leaning = orientation.leanings(normals, areas, laid=True)[0]
-        if upright > WORTH_TRYING:
+        if upright > worth:
             yield partial(self._lay, given)
         if leaning[0] > upright + MIN_GAIN and self.can_incline:
             yield partial(self._incline, given, leaning, laid=True)
@@ -228,6 +237,11 @@ def _largest_good_run(patches, ends_anywhere):
     return max(runs, key=lambda run: sum(p.fraction for p in patches[slice(*run)]), default=None)
 
 
+def _is_enough(found, reached):
+    """Whether an Assessment leaves nothing to be wished for that one setup reaches."""
+    return found.good or (found.remains_good and found.good_fraction >= NEARLY * reached)
+
+
 def _is_better(found, now):
     """Whether an Assessment helps, or leaves only what is good, beside that of the texture as it is; None
     where that cannot be made."""
@@ -248,9 +262,11 @@ def _helps(found, now):
 
 
 def _apart(leanings):
-    """The best of those that lean clearly more or less than the first."""
+    """The best of those that lean clearly less than the first, and of those that lean clearly more."""
     first = leanings[0][1]
-    return [lean for lean in leanings if abs(lean[1] - first) >= APART][:1]
+    less = [lean for lean in leanings if lean[1] <= first - APART][:1]
+    more = [lean for lean in leanings if lean[1] >= first + APART][:1]
+    return sorted(less + more, reverse=True)
 
 
 def _seen_from(normals, areas):
