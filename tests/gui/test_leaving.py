@@ -59,6 +59,17 @@ class Leaving(driver.BlockTest):
         self.assertTrue(driver.wait(lambda: not driver.panel_open()))
         self.assertNotIn("CurvedTexture", self.names())
 
+    def test_a_field_that_says_too_late_that_it_was_edited_changes_nothing(self):
+        """As fields do that lose the keyboard while the panel closes with its operation."""
+        page, controller = self.panel.page, self.operation.ToolController
+        self.panel.reject()
+        self.assertNotIn("CurvedTexture", self.names())
+        with self.assertRaises(ReferenceError):
+            self.operation.Strategy
+        page.pageGetFields()
+        page.resetToolController(None, controller)
+        self.assertFalse(self.panel.place_timer.isActive() or self.panel.plan_timer.isActive())
+
     def test_what_the_post_window_is_about_takes_it_along(self):
         """Undo takes the job back, with which the command made the texture; or the document is closed."""
         for end in (lambda: FreeCADGui.runCommand("Std_Undo"), lambda: FreeCAD.closeDocument(self.name)):

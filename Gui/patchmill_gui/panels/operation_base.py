@@ -176,6 +176,14 @@ def _recompute(document, name):
         found.recompute()
 
 
+def _is_there(obj):
+    """Whether an operation is in a job, and not deleted."""
+    try:
+        return host.PathUtils.findParentJob(obj) is not None
+    except ReferenceError:
+        return False
+
+
 class OperationPage(NativePage):
     """A page with tool controller, coolant and a form of the operation's properties. A subclass builds its
     form with `begin_form` and adds to it."""
@@ -198,9 +206,20 @@ class OperationPage(NativePage):
         self.properties = PropertyForm(table, self.obj, closed)
         return form, layout
 
+    def pageGetFields(self):
+        """A field that loses the keyboard when its panel closes says that it was edited: the operation may be
+        gone by then, or be in the middle of an undo."""
+        if _is_there(self.obj):
+            super().pageGetFields()
+
+    def resetToolController(self, job, tc):
+        """FreeCAD tells all pages that are left of tool controllers that were edited."""
+        if _is_there(self.obj):
+            super().resetToolController(job, tc)
+
     def getFields(self, obj):
-        if host.PathUtils.findParentJob(obj) is None:
-            return  # in the middle of an undo: a field that loses the keyboard then says that it was edited
+        if not _is_there(obj):
+            return
         self.properties.store()
         self.updateToolController(obj, self.form.toolController)
         self.updateCoolant(obj, self.form.coolantController)
