@@ -49,7 +49,7 @@ class Case:
         (self.objects,) = host.post_objects(job, post)
         self.known = kept_words.of_machine(program_header.machine_of(self.objects), arguments)
         machine = program_header.machine_of(self.objects)
-        self.tcp = kept_words.tcp_words(machine)
+        self.tcp = kept_words.tcp_words(machine, self.dialect)
         retract = own.retract_lines(arguments, machine) if own else ()
         self.more = {"length": self.own, "retract": retract}
         self.words = [

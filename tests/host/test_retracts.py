@@ -1,5 +1,5 @@
 """The words by which PatchMill's own posts come clear of everything, where the machine's file says where that
-is: before tool changes and the end. A program without one of them is refused.
+is: before tool changes, turns of the table or head and the end. A program without one of them is refused.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -82,6 +82,26 @@ class Retracts(WithDocuments):
             job, texture = self.job(machine)
             texture.FixedAxis = FreeCAD.Vector(0.25, 0.1, 1)
             self.require_each(job, control, machine, words)
+            self.tearDown()
+
+    def test_before_a_turn(self):
+        """Of the same tool: an upright operation after a tilted one, and one that is tilted after it."""
+        for control, (machine, words) in TILTED.items():
+            job, (first, second) = roof_job("Feed per move", "Feed per move")
+            for texture in (first, second):
+                texture.Machine, texture.PostGouging, texture.PostUnheld = machine, True, True
+                texture.FixedAxis = FreeCAD.Vector(0.25, 0.1, 1)
+            upright = custom(job, CUT)
+            job.Operations.Group = [first, upright, second]
+            lines = self.lines(job, control)
+            self.assertIsNone(self.said(job, control, lines))
+            at = [k for k, line in enumerate(lines) if bare(line) in words]
+            self.assertEqual(len(at), 4 * len(words), control)
+            reasons = ["the tool is changed", "the table or head turns", "the table or head turns", "ends"]
+            for number, k in enumerate(at):
+                error = self.said(job, control, lines[:k] + lines[k + 1 :])
+                self.assertEqual((error.property, error.value), ("Program", "no " + " ".join(words)))
+                self.assertIn(reasons[number // len(words)], error.remedy)
             self.tearDown()
 
     def test_on_controls_without_tcp(self):

@@ -12,6 +12,9 @@ from typing import Any
 
 from _patchmill import InputError
 
+from patchmill.freecad.kinds import kind_of
+from patchmill.verify.posted_milling import TCP_OFF, TCP_ON
+
 STATES = (0, 17, 40, 43, 43.4, 49, 61, 64, 80, 90, 91.1, 94, 98, 99)  # of the common tongue
 REFERENCE = (28, 30)  # how posts of others go to the machine's zero: by words that are zero
 STOPS = (5, 9, 428, 429)
@@ -127,8 +130,12 @@ def require_in_order(op, found, wanted, near):
         raise InputError(op.Label, "other words G61 and G64", "use another post-processor.")
 
 
-def has_other_words(command):
-    """Whether a command of a path has words that comparing its moves does not look at."""
+def has_other_words(command, tcp_words=("", ""), tool=None):
+    """Whether a command of a path has words that comparing its moves does not look at. `tool`: the tool
+    controller, or None; `tcp_words`: see Post."""
+    number = getattr(tool, "ToolNumber", 0)
+    if command.Name in TCP_ON + TCP_OFF + tcp_words and command.Parameters.get("H", number) == number:
+        return False  # at each move it is looked at whether TCP is on
     beside = set(command.Parameters) - set("XYZABCIJKFPQRLDHST")
     if beside == {"G"} and re.fullmatch(r"G\d+", command.Name):
         return not {float(command.Name[1:]), command.Parameters["G"]} <= set(COMPARED)
@@ -172,6 +179,29 @@ class Retracts:
                 self.clear.add(number)
             moves = set("XYZ") & {letter for letter, _ in blocks[number]} and not PRESETS & blocks[number]
             clear = number in self.ends or (clear and not moves)
+
+    def require(self, program, stretches, line, known):
+        """Raises InputError naming Program if a tool is changed, rotary axes turn or the program ends without
+        a retract before it. `program`: posted_program.PostedProgram; `stretches`: what stands between
+        operations, (words as of require(), the objects on both sides); `line`: the last one that cuts;
+        `known`: words of the user's own [(letter, value)], who knows where the tool is."""
+        self.require_end(line)
+        if ("M", 6.0) not in known:
+            self.require_changes()
+        self.require_turns(program, stretches, known)
+
+    def require_turns(self, program, stretches, known):
+        """Rotary axes that turn by themselves between operations; those that one of others turns are its."""
+        upright = {line for s in program.sections for line, tcp in zip(s.lines, s.tcp) if not tcp}
+        for stretch, objects in stretches if self.count else ():
+            paths = [known] + [words_of(o.Path.Commands) for o in objects if not kind_of(o)]
+            theirs = {(letter, round(value, 3)) for words in paths for letter, value in words}
+            for number, block in stretch:
+                turns = {(letter, round(value, 3)) for letter, value in block if letter in ROTARY}
+                moves = any(letter in LENGTHS for letter, _ in block)
+                if turns and not moves and not turns <= theirs and number in upright - self.clear:
+                    remedy = "the table or head turns in line %d without it: use another post-processor."
+                    raise InputError("Program", self._said(), remedy % number)
 
     def require_changes(self):
         """Raises InputError naming Program if a tool is changed without a retract before it."""

@@ -17,11 +17,12 @@ from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.operations.computed import planned
 from patchmill.verify import posted_between, posted_milling, posted_texture
 from patchmill.verify.posted_milling import controller_of
-from patchmill.verify.posted_program import COMMENT, ROUNDED_TWICE, PostedProgram, offset_number
+from patchmill.verify.posted_program import COMMENT, ROUNDED_TWICE, PostedProgram, offset_number, work_offset
 
 ALWAYS = (0, 1, 2, 3, 4, 17, 43.4, 49, 61, 64, 80, 90, 90.1, 91.1, 93, 94, 98, 99)  # of common tongue
 CUTS = ("G1", "G01", "G2", "G02", "G3", "G03", "G33")
 HALF_ROUNDING = 0.51e-6  # mm: P of G64 has six decimals
+OTHER_POST = ": use one of PatchMill's own posts."
 BESIDE = "STHDE"  # letters that no move has
 COOLANT = {"Flood": "M8", "Mist": "M7"}
 LENGTH_WITH_TOOL = ("heidenhain", "siemens")  # they have no word for it
@@ -44,6 +45,7 @@ class _Reading:
         self.words = core.program_lines(text, dialect)
         self.due = []  # (operation, first line, its words) that are looked for up to the next operation
         self.tcp = False  # after the last operation
+        self.stretches = []  # between operations: (words, the objects on both sides)
 
     def texture(self, op):
         plan = planned(op)
@@ -60,7 +62,9 @@ class _Reading:
         else:
             self.between.append(op)
         if not kind_of(op):
-            self.due += [(op, behind, c) for c in filter(posted_between.has_other_words, commands)]
+            tool, words = controller_of(op), self.post.tcp_words
+            other = (c for c in commands if posted_between.has_other_words(c, words, tool))
+            self.due += [(op, behind, c) for c in other]
         return posted
 
     def words_until(self, line):
@@ -92,6 +96,7 @@ class _Reading:
             op is None,
         )
         stretch = [one for one in self.words if self.end_line < one[0] < line]
+        self.stretches.append((stretch, objects))
         posted_between.require(stretch, allowed, self.half_unit, self.program.unit, self.lines)
         if op is None and self.tcp:
             posted_between.require_tcp_off(self.before, stretch, self.post.tcp_words[1])
@@ -260,12 +265,13 @@ def read_back(text, objects, dialect, half_unit, known=(), own=True, tcp_words=(
     except InputError as error:
         if any(kind_of(op) == TEXTURE for op in operations):
             posted_milling.require_read(operations, tcp_words)
-            raise
+            remedy = error.remedy if own else error.remedy.rstrip(".") + OTHER_POST
+            raise InputError(error.property, error.value, remedy) from error
         return [posted_milling.unknown(op, posted_milling.UNREADABLE % error) for op in operations]
     posted = []
     for obj in objects:
-        if _work_offset(obj):
-            reading.offset = _work_offset(obj)
+        if work_offset(obj):
+            reading.offset = work_offset(obj)
         elif is_operation(obj):
             texture = kind_of(obj) == TEXTURE
             posted.append(reading.texture(obj) if texture else reading.other(obj))
@@ -275,21 +281,9 @@ def read_back(text, objects, dialect, half_unit, known=(), own=True, tcp_words=(
     reading.words_until(math.inf)
     reading.words_between(None, math.inf)
     retracts = posted_between.Retracts(reading.post.retract, reading.words, text.split("\n"))
-    retracts.require_end(reading.end_line)
-    if ("M", 6.0) not in known:  # words of the user's own
-        retracts.require_changes()
+    retracts.require(reading.program, reading.stretches, reading.end_line, known)
     textures = [one for one in posted if isinstance(one, posted_texture.PostedTexture)]
     return textures + [one for one in posted if not isinstance(one, posted_texture.PostedTexture)]
-
-
-def _work_offset(obj):
-    """Name of the work offset that an object handed to the post-processor stands for; '' of others.
-    It is the label in FreeCAD 0.20, the command of the path from 1.0 on."""
-    if hasattr(obj, "Proxy"):
-        return ""
-    path = getattr(obj, "Path", None)
-    names = [getattr(obj, "Label", ""), *(command.Name for command in (path.Commands if path else ()))]
-    return next((name for name in names if offset_number(name)), "")
 
 
 def is_operation(obj):

@@ -22,7 +22,7 @@ ARCS = ("G2", "G3", "G02", "G03")
 CYCLES = ("G73", "G74", "G81", "G82", "G83", "G85", "G86", "G89")
 MODES = CYCLES + ("G91", "G53", "G33", "G18", "G19", "G20", "G92")
 NOT_READ = ("G43", "G49", "G61", "G64", "G54", "G55", "G56", "G57", "G58", "G59")  # they move nothing
-TCP_ON, TCP_OFF = ("G43.4", "M428", "M128"), ("G49", "M429", "M129")
+TCP_ON, TCP_OFF = ("G43.4", "M428"), ("G49", "M429")
 SAME_FEED = 5e-6  # of F: our posts repeat one that is off by less where a control has no inverse time
 
 

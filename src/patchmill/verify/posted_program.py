@@ -168,6 +168,16 @@ def offset_number(name):
     return int(other.group(1)) if other else 0
 
 
+def work_offset(obj):
+    """Name of the work offset that an object handed to the post-processor stands for; '' of others.
+    It is the label in FreeCAD 0.20, the command of the path from 1.0 on."""
+    if hasattr(obj, "Proxy"):
+        return ""
+    path = getattr(obj, "Path", None)
+    names = [getattr(obj, "Label", ""), *(command.Name for command in (path.Commands if path else ()))]
+    return next((name for name in names if offset_number(name)), "")
+
+
 def _starts(section):
     """X Y Z where each move of a section begins, nan where nobody knows."""
     starts = np.vstack([np.array(section.path.start)[None], section.path.tips])[:-1]

@@ -157,11 +157,6 @@ TEST(Controls, NumbersThatOnlyLookLikeAWordAreNone) {
       EXPECT_FALSE(reads(*control, bad)) << control->name << " " << bad;
     }
   }
-  for (const char* bad :
-       {"L X+1 X+2 FMAX", "L X+1 F100 F200", "L X+1 M3 M4", "TOOL CALL", "CYCL DEF 9.1",
-        "CYCL DEF 200 DRILLING", "L X+inf FMAX", "L X+1 DR+", "LBL 1", "CALL LBL 1", "FN 0: Q1 = 3",
-        "C X+1 Y+1", "TOOL CALL 1 Y S100", "M98", "L IX+1 FMAX"})
-    EXPECT_FALSE(reads(control_of("heidenhain"), bad)) << bad;
   for (const char* bad : {"G1 X1", "G4 P0.5", "G4 X0.5", "M98 P1", "G82 X1. Y1. Z1. R2. P0.5"})
     EXPECT_FALSE(reads(control_of("fanuc"), bad))
         << bad;  // a length without a point would be 0.001 mm
@@ -237,17 +232,6 @@ TEST(Controls, WorkOffsetsAreKeptOrRefused) {
   EXPECT_EQ(
       read_gcode("G505\nG0 X1 Y1 Z1\n", kTool, {&control_of("siemens"), true}).sections[0].offset,
       "G58");
-  for (const char* preset : {"CYCL DEF 247 DATUM SETTING Q339=+2 ;DATUM NUMBER\n",
-                             "5 CYCL DEF 247 DATUM SETTING ~\nQ339=+2 ;DATUM NUMBER\n"})
-    EXPECT_EQ(read_gcode(std::string(preset) + "L X+1 Y+1 Z+1 R0 FMAX\n", kTool,
-                         {&control_of("heidenhain"), true})
-                  .sections[0]
-                  .offset,
-              "G54.1 P2");
-  const Program shifted = read_gcode(
-      "L X+1 Y+1 Z+1 R0 FMAX\nCYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+10\nL X+1 Y+1 Z+1 R0 FMAX\n",
-      kTool, {&control_of("heidenhain"), true});
-  EXPECT_EQ(shifted.sections.size(), 2u);
 }
 
 TEST(Controls, WordsOfOtherOperationsAreKeptOrRefused) {

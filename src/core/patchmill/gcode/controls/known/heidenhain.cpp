@@ -25,7 +25,7 @@ std::vector<CodeWord> heidenhain_words() {
                                  same('G', 930, G::FeedMode),
                                  same('G', 940, G::FeedMode),
                                  same('G', 610, G::PathMode),
-                                 same('G', 640, G::PathMode, "PQ"),
+                                 same('G', 640, G::PathMode),
                                  same('M', 0, G::Stop),
                                  same('M', 10, G::Stop),
                                  same('M', 20, G::Stop),
@@ -121,6 +121,9 @@ class Block {
     for (const GcodeWord& w : plain_)
       if (std::string_view("XYZABCFM").find(w.letter) == std::string_view::npos)
         refuse(fmt::format("{} is not read here.", w.letter));
+    const auto feed = [](const GcodeWord& w) { return w.letter == 'F'; };
+    if ((rapid_ || seconds_ > 0.0) && std::any_of(plain_.begin(), plain_.end(), feed))
+      refuse("it has two feeds.");
   }
   Words with(Words words) const {
     if (machine_) words.push_back({'G', 53.0});
@@ -171,6 +174,18 @@ Words cycle(Block& block, const std::vector<std::string_view>& parts) {
   block.refuse("this cycle is not read.");
 }
 
+// BLK FORM 0.1 Z Y-5.000 Z-4.000, or 0.2 and no axis of the tool: a corner of the stock
+void require_corner(const Block& block, const std::vector<std::string_view>& parts) {
+  const std::size_t first = parts.size() > 2 && parts[2] == "0.1" ? 4 : 3;
+  if (parts.size() != first + 3) block.refuse("a corner of the stock is X Y Z.");
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::string_view part = parts[first + i];
+    if (part[0] == 'I') part.remove_prefix(1);  // from the first corner on
+    if (part.empty() || part[0] != "XYZ"[i]) block.refuse("a corner of the stock is X Y Z.");
+    block.number_of(part.substr(1));
+  }
+}
+
 // Without the block's number: "12 L X+1" -> "L X+1".
 std::string_view without_number(std::string_view text) {
   const std::size_t end = text.find_first_not_of("0123456789");
@@ -181,13 +196,17 @@ Words read(const Control& control, std::string_view line, long number) {
   const std::string_view body = without_number(trimmed(line));
   std::string_view code = trimmed(body.substr(0, body.find(';')));
   if (!code.empty() && code.back() == '~') code = trimmed(code.substr(0, code.size() - 1));
-  if (code.empty() || starts(code, "END PGM ") || starts(code, "BLK FORM ")) return {};
+  if (code.empty() || starts(code, "END PGM ")) return {};
   if (starts(code, "BEGIN PGM "))
     return {{'G', code.substr(code.size() - 4) == "INCH" ? 20.0 : 21.0}};
   if (starts(code, "FUNCTION TCPM ") || code == "M128") return {{'G', 43.4}};
   if (code == "FUNCTION RESET TCPM" || code == "M129") return {{'G', 49.0}};
   Block block(control, line, number);
   const std::vector<std::string_view> parts = split(code);
+  if (starts(code, "BLK FORM ")) {
+    if (starts(parts[2], "0.")) require_corner(block, parts);
+    return {};
+  }
   if (parts[0] == "L") return block.straight(parts);
   if (parts[0] == "C") return block.arc(parts);
   if (parts[0] == "CC" && parts.size() == 3 && parts[1][0] == 'X' && parts[2][0] == 'Y')
