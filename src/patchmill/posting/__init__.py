@@ -149,7 +149,7 @@ def _read_back(ready, text, progress, objects=None):
         half_unit,
         kept_words.of_machine(machine, arguments),
         own is not None,
-        kept_words.tcp_words(machine),
+        kept_words.tcp_words(machine, dialect),
         length=own is not None and own.options(arguments).tlo,
         retract=own.retract_lines(arguments, machine) if own else [],
     )

@@ -60,6 +60,11 @@ def require_own(operations, offsets, own):
         if behind and leaves_coolant(op) and not any(letter in "XYZ" for letter, _ in words):
             remedy = "choose the coolant in the operations that want it: their Coolant says Flood or Mist."
             raise InputError(op.Label, leaves_coolant(op), remedy)
+        if own is None and _tcp_left(op):
+            word, number = _tcp_left(op), getattr(controller, "ToolNumber", 0)
+            off = "M429" if word == "M428" else "G49 and G43 H%d" % number
+            remedy = "the post leaves TCP on for what comes after it: end the operation by %s."
+            raise InputError(op.Label, word, remedy % off)
         if own is None and behind and leaves_coolant(op) and host.coolant_of(behind[0]) == "None":
             remedy = "the post leaves it on for %s, whose coolant is None: end the operation by M9."
             raise InputError(op.Label, leaves_coolant(op), remedy % behind[0].Label)
@@ -70,6 +75,17 @@ def leaves_coolant(op):
     said = [value for letter, value in posted_between.words_of(op.Path.Commands) if letter == "M"]
     last = next((value for value in reversed(said) if value in (7, 8, 9)), 9)
     return COOLANT.get(int(last), "")
+
+
+def _tcp_left(op):
+    """The word by which a path leaves TCP on; '' if it does not."""
+    left = ""
+    for command in op.Path.Commands:
+        if command.Name in posted_milling.TCP_ON:
+            left = command.Name
+        elif command.Name in posted_milling.TCP_OFF:
+            left = ""
+    return left
 
 
 def _require_offset(op, offsets):

@@ -12,6 +12,7 @@ from patchmill.verify import posted_milling
 
 COMMENT = re.compile(r"\([^)]*\)|;.*")
 WORD = re.compile(r"([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))")
+TCP = {"heidenhain": ("M128", "M129")}  # elsewhere they are words of a builder or a user
 TOOL = ("M3", "M03", "M4", "M04", "M6", "M06")  # S and T, which are compared with the tool controller's
 
 
@@ -27,11 +28,12 @@ def of_machine(machine, arguments):
     return [(letter, float(number)) for text in texts for letter, number in WORD.findall(text)]
 
 
-def tcp_words(machine):
-    """The M words of a machines.Machine, or of None, that switch TCP on and off; '' where a control has its
-    own."""
+def tcp_words(machine, dialect):
+    """The M words of a machines.Machine, or of None, that switch TCP on and off, or those of the `dialect`;
+    '' where it says it by G43.4 or words that are no numbers."""
     controller = {} if machine is None else machine.controller
-    words = [controller.get(name, "") for name in ("tcp_on", "tcp_off")]
+    own = TCP.get(dialect, ("", ""))
+    words = [controller.get(name) or word for name, word in zip(("tcp_on", "tcp_off"), own)]
     return tuple(word if re.fullmatch(r"M\d+", word) else "" for word in words)
 
 

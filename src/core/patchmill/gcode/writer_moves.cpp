@@ -74,6 +74,9 @@ void Writer::move(const PathBlock& block, int tenths) {
   if (m.motion == Motion::Feed && inverse_ && !block.gives('F'))
     refuse_block(block, "in inverse time (G93) every G1 needs its F.");
   if (m.motion == Motion::Locked && !block.gives('K')) refuse_block(block, "G33 needs its K word.");
+  if (m.motion == Motion::Locked && !was_own_ && control_.can.lead == LeadRule::None)
+    refuse_block(block, fmt::format("{} has no block that follows the spindle: take it out.",
+                                    control_.title));
   if (m.motion == Motion::Locked) m.lead = lead(block.get('K'), way, turned);
   put(m, way);
   retracted_ = false;

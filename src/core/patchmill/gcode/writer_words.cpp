@@ -27,6 +27,22 @@ int number_of_m(const std::string& word) {
              : -1;
 }
 
+// Beside G64. Where a control has no word for how much corners are rounded, one of ours goes without; others said
+// what they want.
+LetterSet rounding_letters(const Control& control, bool own) {
+  const bool within = control.texts.rounding.find("{value}") != std::string::npos;
+  const bool merging = control.texts.rounding.find("{merging}") != std::string::npos;
+  return (own || within ? letter_set("P") : 0) | (own || merging ? letter_set("Q") : 0);
+}
+
+// `own`: the operation is one of ours.
+void require_tcp(const Control& control, bool own, const PathBlock& block) {
+  if (control.can.tcp) return;
+  const std::string why = fmt::format("{} has no tool-centre-point control: ", control.title);
+  if (!own) refuse_block(block, why + "take it out.");
+  throw InputError("ProgramForm", "With TCP", why + "choose Without TCP.");
+}
+
 }  // namespace
 
 /// Whether the control can say the word, in its own or in other ones.
@@ -35,6 +51,7 @@ bool Writer::known(const PathBlock& block, const BlockCode& code) const {
   if (code.letter == 'M') {
     if (t == 20 || t == 300)
       refuse_block(block, "it would end the program, which the post does: take it out.");
+    if (t == 4280) require_tcp(control_, was_own_, block);
     if (is_tcp(t) || t == number_of_m(style_.tcp_on) || t == number_of_m(style_.tcp_off))
       return true;
     const CodeWord* word = control_.meaning('M', t);
@@ -43,11 +60,11 @@ bool Writer::known(const PathBlock& block, const BlockCode& code) const {
   }
   if (t == 200) refuse_block(block, "FreeCAD's paths are in millimetres: take it out.");
   if (t == 330) return true;  // lead() says why it cannot be
-  if (t == 434 && !control_.can.tcp)
-    throw InputError(
-        "ProgramForm", "With TCP",
-        fmt::format("{} has no tool-centre-point control: choose Without TCP.", control_.title));
+  if (t == 434) require_tcp(control_, was_own_, block);
   if (t == 434) return true;  // the control's own words say it
+  if (t == 640 && was_own_ && control_.meaning('G', t) == nullptr)
+    throw InputError("Strategy", "rounded corners (G64)",
+                     fmt::format("{} has no word for them: use constant feed.", control_.title));
   if (t == 490 && (tcp_ || pending_tcp_)) return true;
   if (t >= 540 && t <= 593 && control_.meaning('G', t) == nullptr) refuse_offset(t);
   return (is_cycle(t) && !control_.can.cycles) || control_.meaning('G', t) != nullptr;
@@ -73,7 +90,8 @@ LetterSet Writer::letters_of(const PathBlock& block, const BlockCode& code) cons
   LetterSet takes = word ? letter_set(word->takes) : 0;
   if (code.letter != 'G') return takes;
   if (code.tenths == 330) takes |= letter_set("XYZABCK");
-  if (code.tenths == 640 || code.tenths == 434) takes |= letter_set("PQH");
+  if (code.tenths == 640) takes |= rounding_letters(control_, was_own_);
+  if (code.tenths == 434) takes |= letter_set("H");
   if (code.tenths == 20 || code.tenths == 30) takes |= letter_set(kArcLetters);
   if (is_cycle(code.tenths)) takes |= letter_set(cycle_letters(code.tenths));
   return takes;

@@ -30,11 +30,8 @@ class Strategy:
         if self.needs_machine and machine is None:
             raise InputError("Machine", "''", "the strategy '%s' needs a machine file." % self.name)
         if self.locked and not machine.model.spindle_lock:
-            raise InputError(
-                "Strategy",
-                self.name,
-                "the machine %s says that its controller cannot follow the spindle." % machine.key,
-            )
+            remedy = "the machine %s says that its controller cannot follow the spindle: use feed per move or"
+            raise InputError("Strategy", self.name, remedy % machine.key + " constant feed.")
 
     def path(self, given, dimples, rule, machine, spindle, turning):
         """(ToolPath of the ball centre, clearance of _patchmill.paced_path or None). `rule`: a
