@@ -100,6 +100,18 @@ class Files(unittest.TestCase):
         self.assertIn("directory", self.refused("Program", files.read_text, self.folder, "Program"))
         os.remove(self.name)
 
+    def test_what_is_no_text_is_said_to_be_none(self):
+        text = "G0 X1\nM2\n"
+        wide = text.encode("utf-16"), text.encode("utf-16-le")
+        for content in (*wide, b"\0" * 9 + text.encode(), b"G0\0X1"):
+            with open(self.name, "wb") as file:
+                file.write(content)
+            for other in (None, "latin-1"):
+                said = self.refused("Program", files.read_text, self.name, "Program", 1000, other)
+                self.assertIn("byte %d is zero" % content.index(0), said)
+        files.write(self.name, text.encode("utf-8-sig"))  # a byte order mark is none of the text
+        self.assertEqual(files.read_text(self.name), text)
+
     def test_names_of_every_kind(self):
         for name in (pathlib.Path(self.name), os.fsencode(self.name), self.name + "\udce4"):
             files.write(name, "text")

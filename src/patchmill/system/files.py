@@ -100,10 +100,13 @@ def read_text(filename, name="filename", most=1 << 30, other=None):
         with open(asked, "rb", opener=_at_once) as file:
             regular = stat.S_ISREG(os.fstat(file.fileno()).st_mode)
             content = file.read(most + 1) if regular else b""
-        if regular and len(content) <= most:
+        if regular and len(content) <= most and b"\0" not in content:
             return _decoded(content, other)
         remedy = "it is a device or a pipe, not a file: give another one."
-        if regular:
+        if regular and len(content) <= most:
+            remedy = "byte %d is zero, as in UTF-16 and in what is no text: save the file as plain text."
+            remedy %= content.index(0)
+        elif regular:
             remedy = "it has more than %d bytes: give a smaller file." % most
     except OSError as error:
         remedy = "it cannot be read (%s): give another file." % (error.strerror or error)
