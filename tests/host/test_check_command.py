@@ -45,6 +45,12 @@ class CheckCommand(WithDocuments):
             self.assertEqual(status, 1, said)
             self.assertIn("Custom", said)
             self.assertEqual(self.check(document, program + "x")[0], 2)
+            wide = text.encode("utf-16")
+            for content, why in ((b"", "empty"), (wide, "UTF-16"), (b"\0M2\n", "zero")):
+                pathlib.Path(program).write_bytes(content)
+                status, said = self.check(document, program, "--post", POST)
+                self.assertGreater(status, 0)
+                self.assertIn(why, said)
             self.assertEqual(self.check(document, program, "--job", "none")[0], 2)
 
 

@@ -140,6 +140,26 @@ class ControlWords(WithDocuments):
             for end in (' "', " 'x", " \\"):
                 self.refused("PostProcessorArgs", job, name, PLAIN + end)
 
+    def test_a_preamble_by_which_all_else_would_be_read_otherwise(self):
+        _, job, operation = small_job()
+        operation.PostGouging = True
+        for name in ("patchmill_linuxcnc", "linuxcnc"):
+            for text in ("G91", "G20", "G90\\nG91", "G21 G18", "G93", "(G21) G20"):
+                for argument in (" --preamble='%s'" % text, " --preamble '%s'" % text):
+                    said = self.refused("PostProcessorArgs", job, name, PLAIN + argument)
+                    self.assertIn("take it out of the preamble", said)
+        ended = PLAIN + " --preamble='(G91)\\nG90 G21 (G20)'"
+        self.assertTrue(self.posted(job, "patchmill_linuxcnc", ended))
+
+    def test_arguments_in_quotes_are_what_is_between_them(self):
+        _, job, operation = small_job()
+        operation.PostGouging = True
+        plain = self.posted(job, "patchmill_linuxcnc", "--no-header --precision=3")
+        for quoted in ("--precision='3'", '--precision="3"', "'--precision=3'", "--precision\t3"):
+            self.assertEqual(self.posted(job, "patchmill_linuxcnc", "--no-header " + quoted), plain)
+        for wrong in ("--precision=3.0", "--precision=", "--precision=' 3 4'", "--pre cision=3", "-h"):
+            self.refused("PostProcessorArgs", job, "patchmill_linuxcnc", "--no-header " + wrong)
+
     def _names_its_control(self):
         from patchmill.machine import machines
 
@@ -160,7 +180,9 @@ class ControlWords(WithDocuments):
         self.assertEqual(locale.localeconv()["decimal_point"], ",")
         operation.touch()
         job.Document.recompute()
-        self.assertEqual(self.posted(job, "patchmill_linuxcnc"), before)
+        for number in ("de_DE.UTF-8", "C", "de_DE.UTF-8"):  # also between two posts
+            locale.setlocale(locale.LC_NUMERIC, number)
+            self.assertEqual(self.posted(job, "patchmill_linuxcnc"), before)
 
     def test_more_decimals_make_the_phase_better(self):
         largest = []

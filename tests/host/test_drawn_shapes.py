@@ -105,6 +105,44 @@ class DrawnShapes(WithDocuments):
         places = dimples.positions[dimples.states == 0]
         self.assertLess(np.hypot(places[:, 0] - 3.0, places[:, 1] - 2.0).max(), 2.0)
 
+    def nested(self, what):
+        """An object in a part in a part, both moved and turned, and where that puts it."""
+        outer, inner = (self.document.addObject("App::Part", name) for name in ("Outer", "Inner"))
+        inner.addObject(what)
+        outer.addObject(inner)
+        outer.Placement = FreeCAD.Placement(V(4, -3, 2), FreeCAD.Rotation(V(0, 0, 1), 90))
+        inner.Placement = FreeCAD.Placement(V(1, 2, -1), FreeCAD.Rotation(V(0, 0, 1), -60))
+        self.document.recompute()
+        return outer, outer.Placement.multiply(inner.Placement)
+
+    def test_a_mask_and_a_base_in_moved_parts_in_parts(self):
+        """The texture of a job of the outer part lies where that is drawn, inside the curve as it is drawn;
+        of the box alone FreeCAD makes a model of the job that is not moved, and draws that."""
+        self.document = FreeCAD.newDocument("drawn")
+        self.part = self.document.addObject("Part::Feature", "Part")
+        self.part.Shape = slope()
+        outer, place = self.nested(self.part)
+        mask = self.document.addObject("Sketcher::SketchObject", "Mask")
+        mask.addGeometry(Part.Circle(V(2, 1, 0), V(0, 0, 1), 2))
+        self.part.getParentGeoFeatureGroup().addObject(mask)
+        self.document.recompute()
+        for model, moved in ((outer, place), (self.part, FreeCAD.Placement())):
+            job = host.create_job("Job", [model])
+            host.add_ball_end_controller(job, 2.0, 2, 600.0, 1000.0)
+            op = self.texture(job, job.Model.Group[0])
+            op.MaskUse, op.MaskCurves = "Leave out", [mask]
+            dimples = patchmill.recompute(op).dimples
+            cut = dimples.positions[dimples.states == 0]
+            drawn = self.part.Shape.copy()
+            drawn.Placement = moved.multiply(drawn.Placement)
+            face = drawn.getElement(top(drawn))
+            self.assertGreater(len(cut), 20)
+            self.assertLess(max(face.distToShape(Part.Vertex(V(*p)))[0] for p in cut), 1e-6)
+            centre = place.multVec(V(2, 1, 0))
+            radii = np.hypot(cut[:, 0] - centre.x, cut[:, 1] - centre.y)
+            self.assertLess(radii.max(), 2.0)
+            self.assertGreater(radii.max(), 1.0)
+
     def test_base_is_of_the_jobs_model(self):
         job = self.job()
         model = job.Model.Group[0]

@@ -114,6 +114,39 @@ class Remedies(WithDocuments):
             self.assertIn("M128", self.post(job, "patchmill_" + control))
             self.tearDown()
 
+    def test_states_that_a_stock_post_leaves_on(self):
+        """Or an end within the program, which would be the end of the texture's as well."""
+        left = (("G91", "G90"), ("G93", "G94"), ("G18", "G17"))
+        for word, end in left:
+            job, texture, other = self.job([*CUT, word])
+            said = self.said(job, "linuxcnc")
+            self.assertEqual((said.property, said.value), (other.Label, word))
+            self.assertIn("leaves it on for %s: end the operation by %s." % (texture.Label, end), said.remedy)
+            other.Gcode = [*CUT, word, end]
+            job.Document.recompute()
+            self.assertTrue(self.post(job, "linuxcnc"))
+            self.tearDown()
+        for word in ("M30", "M2", "G20"):
+            for post in ("linuxcnc", "patchmill_linuxcnc"):
+                job, _, other = self.job([*CUT, word])
+                said = self.said(job, post)
+                self.assertEqual((said.property, said.value.strip("'")), (other.Label, word))
+                self.assertIn("take it out", said.remedy)
+                self.tearDown()
+
+    def test_spindle_words_of_their_own_block(self):
+        for control in CONTROLS:
+            job, _, _ = self.job([*CUT, "M5", "M3 S1000"])
+            self.assertTrue(self.post(job, "patchmill_" + control))
+            self.tearDown()
+
+    def test_axes_that_an_operation_leaves_turned(self):
+        job, _, other = self.job([*CUT, "G0 A10"])
+        self.assertIn("bring them back to zero", self.said(job, "patchmill_linuxcnc").remedy)
+        other.Gcode = [*CUT, "G0 A10", "G0 A0"]
+        job.Document.recompute()
+        self.assertTrue(self.post(job, "patchmill_linuxcnc"))
+
     def test_strategies(self):
         cases = (
             ("grblhal", "Feed per move", "Constant feed", "use constant feed"),

@@ -122,6 +122,32 @@ class WholeJob(WithDocuments):
             self.assertFalse(tcp[cut:].any(), control)
             self.tearDown()
 
+    def test_freecads_own_fixture_operation(self):
+        """It is refused by name with what to do instead, with a window and without; a switched off one is no
+        matter."""
+        name = "Path.Main.Gui.Fixture" if host.VERSION >= (0, 21) else "PathScripts.PathFixture"
+        for offset in ("G54", "G55"):
+            job, (texture,) = roof_job("Constant feed")
+            fixture = job.Document.addObject("Path::FeaturePython", "Fixture")
+            importlib.import_module(name).Fixture(fixture)
+            fixture.Fixture, fixture.Active = offset, True
+            job.Operations.Group = [fixture, texture]
+            for headless in (True, False):
+                if not headless:  # a path as it has it where there is a window
+                    fixture.Proxy = 0
+                    fixture.Path = host.Path.Path("%s\nG03.5" % offset)
+                with self.assertRaises(InputError) as caught:
+                    self.posted(job, "linuxcnc")
+                self.assertEqual((caught.exception.property, caught.exception.value), (fixture.Label, offset))
+                self.assertIn("choose it in the job's setup", caught.exception.remedy)
+            fixture.Active = False
+            self.assertEqual(len(self.posted(job, "linuxcnc")[0]), 1)
+            job.Document.removeObject(fixture.Name)
+            job.Fixtures = [offset]
+            posted, sections = self.posted(job, "linuxcnc")
+            self.assertEqual((len(posted), sections[-1].offset), (1, offset))
+            self.tearDown()
+
     def test_coolant_below_two_modifiers(self):
         job, operation = self.copy(CoolantMode="Flood")
         first = dress(operation, VoxelSize=2.0)

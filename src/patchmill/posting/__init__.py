@@ -67,7 +67,10 @@ def read_back(job, filename, post_name=None, arguments=None):
     is now, with nothing beside. Raises InputError naming what is not there or otherwise, and Program if it
     cannot be read."""
     ready = _ready(job, post_name, arguments)
-    return _read_back(ready, files.read_text(filename, "Program", other="latin-1"), lambda _: True)
+    text = files.read_text(filename, "Program", other="latin-1")
+    if not text.strip():
+        raise InputError("Program", repr(str(filename)), "it is empty: give the program of this job.")
+    return _read_back(ready, text, lambda _: True)
 
 
 @dataclass
@@ -87,6 +90,7 @@ def _ready(job, post_name, arguments):
     post_name = post_name or job.PostProcessor
     arguments = job.PostProcessorArgs if arguments is None else arguments
     words = requirements.split_arguments(arguments)
+    requirements.check_preamble(words)
     requirements.check_offsets(job.Fixtures)
     job_words.require_lines([op for op in job.Operations.Group if host.is_active(op)])
     operations = _active_operations(job)
@@ -207,6 +211,7 @@ def _active_operations(job):
     job.Document.recompute()  # what was changed since
     operations = [op for op in job.Operations.Group if host.is_active(op)]
     for op in operations:
+        requirements.check_fixture(op)
         requirements.check_placement(op)
         for part in posted_milling.with_those_under(op):
             error = getattr(part.Proxy, "error", None)
@@ -236,7 +241,8 @@ def _single_text(job, post_name, arguments):
         remedy = "it does not take the arguments %r: change them, or use another post-processor." % arguments
         raise InputError("PostProcessor", post_name, remedy) from error
     except Exception as error:  # somebody's program: it may fail in any way
-        remedy = "it failed (%s: %s): use another post-processor." % (type(error).__name__, error)
+        why = ("%s: %s" % (type(error).__name__, error)).encode("ascii", "backslashreplace").decode()
+        remedy = "it failed (%s): use another post-processor." % why
         raise InputError("PostProcessor", post_name, remedy) from error
     finally:
         if own and job.PostProcessorArgs != before:  # FreeCAD 1.x takes them from the job
@@ -244,8 +250,8 @@ def _single_text(job, post_name, arguments):
     if len(parts) != 1:
         remedy = "the job makes %d files: post them with post_files()." % len(parts)
         raise InputError("OrderOutputBy", job.OrderOutputBy, remedy)
-    if not parts[0].strip():
-        raise InputError("PostProcessor", post_name, "the post-processor wrote nothing.")
+    if not isinstance(parts[0], str) or not parts[0].strip():
+        raise InputError("PostProcessor", post_name, "it wrote nothing: use another post-processor.")
     return parts[0]
 
 
@@ -261,7 +267,7 @@ def write(filename, text):
         files.write(filename, text.encode("ascii"))
     except UnicodeEncodeError as error:
         raise InputError(
-            "Label", repr(error.object[error.start : error.end]), "use ASCII letters in labels."
+            "Label", repr(error.object[error.start : error.end]), "use ASCII letters in labels and comments."
         ) from error
 
 

@@ -11,6 +11,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import host
 from patchmill.freecad.kinds import TEXTURE, kind_of
+from patchmill.posting import kept_words
 from patchmill.verify import posted_between, posted_milling
 
 LINE = re.compile(r"\s*(\([^()]*\)|([A-Za-z]\s*[+-]?(\d+\.?\d*|\.\d+)\s*)*)\s*")
@@ -42,11 +43,12 @@ def _has_lines(op):
 
 def require_own(operations, offsets, own):
     """Raises InputError naming an operation with a word that is not its own, or that leaves the next one a
-    spindle, or with posts other than ours (`own` is None) coolant, as it does not want it."""
+    spindle, or with posts other than ours (`own` is None) a state, as it does not want it."""
     for number, op in enumerate(operations):
         if kind_of(op):
             continue
         words = list(posted_between.words_of(op.Path.Commands))
+        _require_no_end(op, words)
         _require_offset(op, offsets)
         _require_tool(op, words)
         _require_feeds(op)
@@ -60,6 +62,9 @@ def require_own(operations, offsets, own):
         if behind and leaves_coolant(op) and not any(letter in "XYZ" for letter, _ in words):
             remedy = "choose the coolant in the operations that want it: their Coolant says Flood or Mist."
             raise InputError(op.Label, leaves_coolant(op), remedy)
+        if own is None and behind and kept_words.left_by(words):
+            word, remedy = kept_words.left_by(words), "the post leaves it on for %s: end the operation by %s."
+            raise InputError(op.Label, word, remedy % (behind[0].Label, kept_words.ENDED_BY[word]))
         if own is None and _tcp_left(op):
             word, number = _tcp_left(op), getattr(controller, "ToolNumber", 0)
             off = "M429" if word == "M428" else "G49 and G43 H%d" % number
@@ -75,6 +80,15 @@ def leaves_coolant(op):
     said = [value for letter, value in posted_between.words_of(op.Path.Commands) if letter == "M"]
     last = next((value for value in reversed(said) if value in (7, 8, 9)), 9)
     return COOLANT.get(int(last), "")
+
+
+def _require_no_end(op, words):
+    for letter, value in words:
+        if letter == "M" and value in (2, 30):
+            remedy = "it would end the program, which the post does: take it out."
+            raise InputError(op.Label, "M%d" % value, remedy)
+        if letter == "G" and value == 20:
+            raise InputError(op.Label, "G20", "FreeCAD's paths are in millimetres: take it out.")
 
 
 def _tcp_left(op):

@@ -12,6 +12,7 @@ from patchmill.verify import posted_milling
 
 COMMENT = re.compile(r"\([^)]*\)|;.*")
 WORD = re.compile(r"([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))")
+ENDED_BY = {"G20": "G21", "G91": "G90", "G93": "G94", "G95": "G94", "G18": "G17", "G19": "G17"}
 TCP = {"heidenhain": ("M128", "M129")}  # elsewhere they are words of a builder or a user
 TOOL = ("M3", "M03", "M4", "M04", "M6", "M06")  # S and T, which are compared with the tool controller's
 
@@ -25,7 +26,22 @@ def of_machine(machine, arguments):
         texts += [machine.controller.get(name, "") for name in names]
         retract = machine.data.get("retract_mm", {})
         texts += ["G53 %s%r" % (axis, float(value)) for axis, value in retract.items()]
-    return [(letter, float(number)) for text in texts for letter, number in WORD.findall(text)]
+    return [word for text in texts for word in words_of(text)]
+
+
+def left_by(words):
+    """The first of the states that words [(letter, value)] leave on, by which what follows would be read
+    otherwise; '' if none."""
+    left: list[str] = []
+    for letter, value in words:
+        code = "%s%g" % (letter, value)
+        left = [other for other in left if ENDED_BY[other] != code] + [code] * (code in ENDED_BY)
+    return left[0] if left else ""
+
+
+def words_of(text):
+    """Words [(letter, value)] of lines of a program."""
+    return [(letter, float(number)) for letter, number in WORD.findall(COMMENT.sub("", text))]
 
 
 def tcp_words(machine, dialect):

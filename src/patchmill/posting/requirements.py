@@ -12,6 +12,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import host, post_probe
 from patchmill.machine import calibrated
+from patchmill.posting import kept_words
 from patchmill.posting.control_match import own_dialect
 from patchmill.system import memory
 from patchmill.textures import strategies
@@ -43,6 +44,27 @@ def check_offsets(offsets):
         if [other.strip().upper() for other in offsets].count(name.strip().upper()) > 1:
             remedy = "it stands twice, and all would be milled twice at one place: name it once."
             raise InputError("Fixtures", name, remedy)
+
+
+def check_preamble(words):
+    """Raises InputError naming PostProcessorArgs if the first lines that a post's arguments give leave a
+    state by which all that follows would be read otherwise."""
+    for number, word in enumerate(words):
+        name, _, text = word.partition("=")
+        if not name.startswith("--prea"):
+            continue
+        left = kept_words.left_by(kept_words.words_of(text or "".join(words[number + 1 : number + 2])))
+        if left:
+            remedy = "all that follows would be read by it: take it out of the preamble."
+            raise InputError("PostProcessorArgs", left, remedy)
+
+
+def check_fixture(op):
+    """Raises InputError for FreeCAD's Fixture operation, which writes its height as a word G03.5 and is
+    invalid where there is no window."""
+    if hasattr(op, "Fixture"):
+        remedy = "work offsets are the job's: choose it in the job's setup, and take the operation out."
+        raise InputError(op.Label, op.Fixture, remedy)
 
 
 def check_placement(op):

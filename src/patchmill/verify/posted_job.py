@@ -73,7 +73,7 @@ class _Reading:
             wanted = {(command.Name[0], float(command.Name[1:])), *command.Parameters.items()}
             wanted = {word for word in wanted if word[0] != "F"}  # those of moves are compared with them
             between = [words for number, words in self.words if first <= number < line]
-            if {"G", "M"} & set(command.Parameters):  # G91 G0 Z5: a control may want a block for each word
+            if {"G", "M", "S"} & set(command.Parameters):  # a control may want a block for each word
                 between = [[word for words in between for word in words]]
             if not any(posted_between.holds(words, wanted, self.half_unit) for words in between):
                 said = command.toGCode().strip()

@@ -31,6 +31,9 @@ TEST(NotPosted, SaysWhatToDoInstead) {
                                         {"G95", "mm/min"},
                                         {"M2", "take it out"},
                                         {"G20", "take it out"},
+                                        {"X45", "begin the line"},
+                                        {"G83 X1 Y1 Z-1 R2 F1", "each peck"},
+                                        {"G73 X1 Y1 Z-1 R2 Q0 F1", "each peck"},
                                         {"G4 P-1", "not less than 0"},
                                         {"G999", "take it out"}})
       EXPECT_NE(remedy(*control, path).find(instead), std::string::npos)

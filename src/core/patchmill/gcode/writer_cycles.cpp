@@ -94,6 +94,8 @@ void Writer::cycle(const PathBlock& block, int code) {
     refuse_block(block,
                  "cycles are posted in absolute coordinates, in the plane XY, with F in mm/min.");
   if (!block.gives('Z') || !block.gives('R')) refuse_block(block, "a cycle needs its Z and R.");
+  if ((code == 730 || code == 830) && !(block.gives('Q') && block.get('Q') > 0.0))
+    refuse_block(block, "it needs its Q, how deep each peck goes, greater than zero.");
   if (block.gives('L') && block.get('L') != 1.0) refuse_block(block, "a cycle is done once: L1.");
   if (other_operation_) first_move(block);
   if (pending_tool_) call_tool("");

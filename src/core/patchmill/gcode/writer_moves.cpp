@@ -186,7 +186,8 @@ void Writer::upright(const PathBlock& block) {
     throw InputError(
         "Machine", "axes " + back,
         "an upright operation follows, and the machine's file does not say where the tool "
-        "is clear of a turning table: give retract_mm there.");
+        "is clear of a turning table: give retract_mm there, or bring them back to zero in "
+        "the operation that turns them.");
   retract();
   MoveBlock upright;
   for (const char letter : back) {

@@ -108,10 +108,12 @@ void Writer::require_words(const PathBlock& block) {
     else
       takes |= kept = kept ? kept : letters_of(block, code);
   }
-  if (const LetterSet lost = block.letters & ~takes)
+  if (const LetterSet lost = block.letters & ~takes) {
+    if (block.count == 0) refuse_block(block, "begin the line by its G word, such as G1.");
     refuse_block(block,
                  fmt::format("{} has no word {} there: it cannot be posted for it, take it out.",
                              control_.title, first_letter(lost)));
+  }
 }
 
 /// S, T or F without a G or M word.

@@ -30,7 +30,7 @@ class BlockCheck {
                          code_text(word.letter, own)));
     if (!known) {
       if (word.letter == 'M' && own % 10 == 0 && control_.can.builder_words) return;
-      refuse(fmt::format("{} has no {}.", control_.title, code_text(word.letter, own)));
+      refuse(fmt::format("of {} no {} is read here.", control_.title, code_text(word.letter, own)));
     }
     if (known->group != WordGroup::None) once(*known);
     if (known->group == WordGroup::Motion || known->group == WordGroup::Once) own_letters_ = true;
