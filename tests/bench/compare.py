@@ -6,7 +6,7 @@ Both builds have been made with -DPATCHMILL_BENCH=ON. Other work on the machine 
 the least of several rounds counts. Of each name that both have: before, after, and the change.
 
 The C library is told to keep what it once had, and each benchmark is repeated: what a virtual machine's host
-takes to supply memory (up to a second for a gigabyte, the more the larger the pages) is none of the program's.
+takes to supply memory (up to a second for a gigabyte, the more the larger the pages) is not the program's.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
