@@ -8,7 +8,7 @@ import math
 
 import FreeCAD
 from patchmill.advice import verdict
-from patchmill.advice.found import GOOD_FRACTION
+from patchmill.advice.found import GOOD, GOOD_FRACTION
 from patchmill.advice.remedies import LAID
 from patchmill.machine.machining_time import in_words
 from PySide import QtCore, QtGui
@@ -205,6 +205,10 @@ def verdict_of(found, phase):
     short = translate("PatchMill", "{} of the faces good; {} left out").format(share, left_out)
     if why == verdict.LOST:
         return colour, phase.sentence
+    if why == verdict.BORDERS and found.whole >= GOOD:
+        area = math.floor(100.0 * found.milled_fraction * found.whole_area)
+        text = translate("PatchMill", "{} of the faces as planned, their borders included")
+        return colour, text.format("%d %%" % area)
     if why == verdict.BORDERS:
         text = translate("PatchMill", "Quality {} with the borders of the faces, {} inside")
         whole = math.floor(100.0 * found.whole) / 100.0  # 0.949 is not good, and shall not read as if

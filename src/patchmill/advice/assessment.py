@@ -19,7 +19,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.advice import orientation
+from patchmill.advice import cells, orientation
 from patchmill.advice.found import GOOD, SMALL, Assessment, PatchQuality
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import place_texture, plan_texture
@@ -53,7 +53,10 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     well, borders included.
     `known`: the Assessment of its patches."""
     if known is not None:
-        return replace(known, whole=_whole(simulate, given) if whole else known.whole)
+        if not whole:
+            return known
+        quality, area = _whole(simulate, given)
+        return replace(known, whole=quality, whole_area=area)
     times = _times_spacing(given)
     placed = place_texture(replace(given, spacing=times * given.spacing) if times > 1.0 else given)
     counts = {name: round(times**2 * n) for name, n in placed.dimples.counts().items()}
@@ -83,7 +86,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     rates = [patch.seconds_per_dimple for patch in found.patches if patch.seconds_per_dimple]
     found.seconds = float(np.mean(rates)) * found.dimples if rates else 0.0
     if whole and found.remains_good:
-        found.whole = _whole(simulate, given)
+        found.whole, found.whole_area = _whole(simulate, given)
     return found
 
 
@@ -110,26 +113,27 @@ def _fractions(given, placed, counts):
 
 
 def _whole(simulate, given):
-    """Quality of a whole texture, its borders included, of SQUARES of it where it is not SMALL or the spindle
-    turns often; 0 where it cannot be made or loses its phase, None where there are more dimples than
-    BORDERS_COUNT, or where the texture lies on faces too steep for one relief over the plane."""
+    """(quality, part of the area that is as planned) of a whole texture, its borders included, of SQUARES of
+    it where it is not SMALL or the spindle turns often; 0 where it cannot be made or loses its phase, None
+    where there are more dimples than BORDERS_COUNT, or where the texture lies on faces too steep for one
+    relief over the plane."""
     try:
         plan = plan_texture(given)
         if given.mapping != "Projected" and steepest(plan) > STEEP:
-            return None
+            return None, None
         verdict = plan.pacing.verdict
         if verdict is not None and not given.keeps_phase.polygons and verdict.holding != "holds":
-            return 0.0
+            return 0.0, 0.0
         count = plan.counts["cut"]
         if count > BORDERS_COUNT:
-            return None
+            return None, None
         turns = plan.path.statistics()["timed_seconds"] * given.spindle.speed
         if count <= SMALL and turns <= MANY_TURNS:
-            return float(simulate(plan, machine=plan.machine).quality)
+            return _quality_in(simulate, plan, [None])
         often = turns / count > MANY_TURNS / SMALL
         return _quality_in(simulate, plan, squares(plan, FEW_SQUARES if often else SQUARES))
     except InputError:
-        return 0.0
+        return 0.0, 0.0
 
 
 def squares(plan, most):
@@ -146,10 +150,11 @@ def squares(plan, most):
 
 
 def _quality_in(simulate, plan, windows):
-    """Quality of all that lies in some windows of a plan."""
+    """(quality, part of the area that is as planned) of all that lies in some windows of a plan."""
     results = [simulate(plan, machine=plan.machine, window=window) for window in windows]
     marks = [len(result.found["dimple"]) + len(result.found["extra"]) for result in results]
-    return float(np.average([result.quality for result in results], weights=marks))
+    quality = np.average([result.quality for result in results], weights=marks)
+    return float(quality), cells.good_share(results)
 
 
 def steepest(plan):

@@ -37,6 +37,7 @@ class Assessment:
     seconds: float = 0.0  # of milling, about
     away_fraction: float = 0.0  # looks away from where the texture is projected from, or is too steep
     whole: Optional[float] = None  # quality of the whole texture, borders included, where it was simulated
+    whole_area: Optional[float] = None  # of its milled area, what is as planned there (advice.cells)
 
     @property
     def good_fraction(self):
@@ -49,7 +50,10 @@ class Assessment:
     @property
     def worth(self):
         """good_fraction; where the borders are bad, what they leave of it."""
-        return self.good_fraction if self.borders_are_good else min(self.good_fraction, self.whole)
+        if self.borders_are_good:
+            return self.good_fraction
+        area = 1.0 if self.whole_area is None else self.whole_area
+        return min(self.good_fraction, self.whole, self.milled_fraction * area)
 
     @property
     def quality(self):
@@ -69,7 +73,8 @@ class Assessment:
 
     @property
     def borders_are_good(self):
-        return self.whole is None or self.whole >= GOOD
+        as_planned = self.whole_area is None or self.whole_area >= GOOD_FRACTION
+        return self.whole is None or (self.whole >= GOOD and as_planned)
 
     @property
     def problem(self):
