@@ -11,7 +11,7 @@ from _patchmill import InputError
 
 from patchmill.advice import orientation
 from patchmill.advice.choice import POLYGONS
-from patchmill.advice.found import GOOD, Assessment
+from patchmill.advice.found import GOOD, GOOD_FRACTION, Assessment
 from patchmill.machine import machines
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import plan_texture
@@ -239,7 +239,8 @@ def _largest_good_run(patches, ends_anywhere):
 
 def _is_enough(found, reached):
     """Whether an Assessment leaves nothing to be wished for that one setup reaches."""
-    return found.good or (found.remains_good and found.good_fraction >= NEARLY * reached)
+    part = reached < GOOD_FRACTION  # of faces that are reached whole nothing need be left
+    return found.good or (part and found.remains_good and found.good_fraction >= NEARLY * reached)
 
 
 def _is_better(found, now):
