@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import json
 import os
 import pathlib
+import re
 import resource
 import signal
 import stat
@@ -99,6 +100,19 @@ class Files(unittest.TestCase):
             self.assertIn(said, self.refused("Program", files.read_text, name, "Program"))
         self.assertIn("directory", self.refused("Program", files.read_text, self.folder, "Program"))
         os.remove(self.name)
+
+    def test_nothing_else_writes_files(self):
+        """But batches, into folders that they have made, and the script that draws the pictures of docs/."""
+        wanted = {"batch/answer.py", "batch/outputs.py", "batch/process.py", "reports/dcm_plots.py"}
+        writes = r'open\([^()]*, ?"[rb]*[wax+][^"]*"|write_(text|bytes)\(|savefig\(os|copyfile|truncate\('
+        found = set()
+        root = pathlib.Path(__file__).resolve().parents[2]
+        for folder in (root / "src" / "patchmill", root / "Gui" / "patchmill_gui"):
+            for file in folder.rglob("*.py"):
+                text = file.read_text(encoding="utf-8").replace("archive.open(", "")
+                if re.search(writes, text):
+                    found.add(file.relative_to(folder).as_posix())
+        self.assertEqual(found, wanted)
 
     def test_what_is_no_text_is_said_to_be_none(self):
         text = "G0 X1\nM2\n"

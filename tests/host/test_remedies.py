@@ -184,6 +184,30 @@ class Remedies(WithDocuments):
             self.assertIn("use patchmill_linuxcnc", said.remedy)
         self.assertTrue(self.post(job, "patchmill_linuxcnc"))
 
+    def test_two_machines(self):
+        job, (first, second) = roof_job("Feed per move", "Feed per move")
+        second.Machine, second.FixedAxis = "table-table-ac", FreeCAD.Vector(0.25, 0.1, 1)
+        for texture in (first, second):
+            texture.PostUnheld = texture.PostGouging = True
+        said = self.said(job, "patchmill_linuxcnc")
+        self.assertEqual((said.property, said.value), ("Machine", "table-table-ac"))
+        self.assertIn("choose the same", said.remedy)
+        first.Machine = "table-table-ac"
+        self.assertTrue(self.post(job, "patchmill_linuxcnc"))
+        first.Machine = "linuxcnc-mill"
+        for texture in (first, second):  # each in a job of its own
+            job.Operations.Group = [texture]
+            self.assertTrue(self.post(job, "patchmill_linuxcnc"))
+
+    def test_a_group_among_the_operations(self):
+        job, texture, other = self.job()
+        group = job.Document.addObject("App::DocumentObjectGroup", "Group")
+        job.Operations.Group = [group, texture, other]
+        said = self.said(job, "patchmill_linuxcnc")
+        self.assertEqual((said.property, said.value), (group.Label, group.TypeId))
+        job.Operations.Group = [texture, other]
+        self.assertTrue(self.post(job, "patchmill_linuxcnc"))
+
     def test_a_program_that_cannot_be_read(self):
         """FreeCAD's grbl writes 1e-06, which no control reads."""
         job, _, _ = self.job(strategy="Feed per move")

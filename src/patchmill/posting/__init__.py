@@ -94,6 +94,7 @@ def _ready(job, post_name, arguments):
     requirements.check_offsets(job.Fixtures)
     job_words.require_lines([op for op in job.Operations.Group if host.is_active(op)])
     operations = _active_operations(job)
+    control_match.require_one_machine(operations)
     requirements.require_memory(operations, job.Fixtures)
     requirements.check_tools(operations)
     textures = [op for op in operations if kind_of(op) == TEXTURE]
@@ -211,6 +212,7 @@ def _active_operations(job):
     job.Document.recompute()  # what was changed since
     operations = [op for op in job.Operations.Group if host.is_active(op)]
     for op in operations:
+        requirements.check_path(op)
         requirements.check_fixture(op)
         requirements.check_placement(op)
         for part in posted_milling.with_those_under(op):

@@ -8,6 +8,8 @@ import importlib
 
 from _patchmill import InputError
 
+from patchmill.verify import posted_milling
+
 STOCK = {  # of FreeCAD's own posts, those that are for one of the controls known here
     "linuxcnc": "linuxcnc",
     "refactored_linuxcnc": "linuxcnc",
@@ -35,6 +37,21 @@ def post_for(plans):
         if dialect != ANY:
             return "patchmill_" + dialect
     raise InputError("PostProcessor", "''", "choose a post-processor for the job.")
+
+
+def require_one_machine(operations):
+    """Raises InputError naming Machine if operations, or those under them, name different machines: a program
+    has the retract and the words for TCP of one."""
+    named: dict = {}
+    for op in operations:
+        for part in posted_milling.with_those_under(op):
+            name = getattr(part, "Machine", "")
+            if isinstance(name, str) and name:
+                named.setdefault(name, part)
+    if len(named) > 1:
+        (first, one), (second, other) = list(named.items())[:2]
+        remedy = "%s names %s, and a program is for one machine: choose the same, or post %s by itself."
+        raise InputError("Machine", second, remedy % (one.Label, first, other.Label))
 
 
 def require(post_name, own_name, precision, plans):

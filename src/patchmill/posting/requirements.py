@@ -59,6 +59,12 @@ def check_preamble(words):
             raise InputError("PostProcessorArgs", left, remedy)
 
 
+def check_path(op):
+    """Raises InputError for what stands among the operations and is none, such as a group of them."""
+    if not hasattr(op, "Path"):
+        raise InputError(op.Label, op.TypeId, "it has no path: take it out of the job's operations.")
+
+
 def check_fixture(op):
     """Raises InputError for FreeCAD's Fixture operation, which writes its height as a word G03.5 and is
     invalid where there is no window."""
