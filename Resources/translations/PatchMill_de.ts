@@ -2120,6 +2120,18 @@ Spindel {:.0f}°</translation>
         <source>{}, leave out what is steeper than {:.0f}°</source>
         <translation>{}, auslassen, was steiler als {:.0f}° ist</translation>
     </message>
+    <message>
+        <source>The faces bend in to a radius of {}; the ball of {} does not fit there.</source>
+        <translation>Die Flächen sind bis zu einem Radius von {} hohl; die Kugel von {} passt dort nicht hinein.</translation>
+    </message>
+    <message>
+        <source>{} of the faces as planned, their borders included</source>
+        <translation>{} der Flächen wie geplant, mit ihren Rändern</translation>
+    </message>
+    <message>
+        <source>{} of the faces good; the rest looks away: turn the part for it</source>
+        <translation>{} der Flächen gut; der Rest ist abgewandt: das Teil dafür drehen</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

@@ -2120,6 +2120,18 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>{}, leave out what is steeper than {:.0f}°</source>
         <translation>{}、{:.0f}° より急な所を除く</translation>
     </message>
+    <message>
+        <source>The faces bend in to a radius of {}; the ball of {} does not fit there.</source>
+        <translation>面の凹みの半径は最小 {} で、半径 {} のボールは入りません。</translation>
+    </message>
+    <message>
+        <source>{} of the faces as planned, their borders included</source>
+        <translation>縁を含めて面の {} が計画どおり</translation>
+    </message>
+    <message>
+        <source>{} of the faces good; the rest looks away: turn the part for it</source>
+        <translation>面の {} が良好、残りは工具の反対側を向いています：そのために部品を回してください</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>
