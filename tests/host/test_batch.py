@@ -83,7 +83,7 @@ class Refusals(WithFolder):
         shutil.copy(STEP, self.path("a.step"))
         before = sorted(os.listdir(self.folder) + ["recipe.json"])
         text, chance = json.dumps(RECIPE), random.Random(1)
-        for _ in range(2000):
+        for _ in range(10000):
             letters = list(text)
             for _ in range(chance.randint(1, 4)):
                 k = chance.randrange(len(letters))
