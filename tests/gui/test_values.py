@@ -8,6 +8,7 @@ import driver
 import FreeCAD
 import hands
 from patchmill_gui.fields import quantity_entry
+from patchmill_gui.fields.sentences import in_user_units
 from PySide import QtCore, QtGui
 
 UNITS = "User parameter:BaseApp/Preferences/Units"
@@ -103,6 +104,25 @@ class Values(driver.BlockTest):
         self.assertEqual(self.operation.Depth.Value, 0.02)
         self.assertAlmostEqual(self.typed("Depth", "0.001"), 0.0254)
         self.assertAlmostEqual(self.typed("Depth", "0.05 mm"), 0.05)
+
+    def test_sentences_are_in_the_users_units(self):
+        FreeCAD.Units.setSchema(INCHES)
+        for said, shown in (
+            ("give a value from 0.254 to 25.4 mm.", "give a value from 0.01 to 1.00 in."),
+            ("2 x 5.08 mm² and 3 mm, F12.7 mm/s", "2 x 5.08 mm² and 0.1181 in, F12.7 mm/s"),
+            ("423.333333333 mm/min at 1.5.3 mm", "16.67 in/min at 1.5.3 mm"),
+        ):
+            self.assertEqual(in_user_units(said), shown)
+        FreeCAD.Units.setSchema(MM)
+        self.assertEqual(in_user_units("2.8284271247461903 mm from 0.5 mm"), "2.828 mm from 0.5 mm")
+        self.assertEqual(in_user_units("eine Kugel von 12,5 mm"), "eine Kugel von 12,5 mm")
+
+    def test_an_error_at_its_field_is_in_the_users_units(self):
+        rows = self.begin(INCHES)
+        self.typed("Spacing", "9 mm")
+        driver.wait(lambda: rows["Spacing"].error.text())
+        self.assertRegex(rows["Spacing"].error.text(), r"^0\.2505 in .* of radius 0\.03937 in ")
+        self.assertNotIn("mm", rows["Spacing"].error.text())
 
     def test_what_was_not_edited_keeps_every_digit(self):
         rows = self.begin()

@@ -11,6 +11,7 @@ from patchmill.operations.texture_operation import ObjectTexture
 from PySide import QtGui
 
 from patchmill_gui.app import tool_paths
+from patchmill_gui.fields.sentences import error_text
 from patchmill_gui.forms.resources import icon
 from patchmill_gui.forms.widgets import forget_closed_panels
 
@@ -59,7 +60,7 @@ class Command:
         try:
             self.run()
         except InputError as error:
-            sentence = str(error)
+            sentence = error_text(error)
         if sentence is not None:
             say(sentence)
 

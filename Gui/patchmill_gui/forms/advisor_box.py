@@ -7,6 +7,7 @@ from _patchmill import InputError
 from patchmill.textures import advisor
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.sentences import error_text
 from patchmill_gui.forms.widgets import translate
 
 
@@ -39,7 +40,7 @@ class AdvisorBox(QtGui.QGroupBox):
         try:
             proposals = advisor.advise_operation(self.obj, self.array.currentData())
         except InputError as error:
-            label = QtGui.QLabel(str(error))
+            label = QtGui.QLabel(error_text(error))
             label.setTextFormat(QtCore.Qt.PlainText)
             self._add(label)
             return

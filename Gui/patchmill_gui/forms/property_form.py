@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from patchmill.properties.property_table import UNITS, label_of
 from patchmill.voxels import axis_field
 
+from patchmill_gui.fields.sentences import error_text, in_user_units
 from patchmill_gui.fields.typing_hand import is_typed_in
 from patchmill_gui.forms.choice_rows import ChoiceRow, MachineRow, ObjectListRow, ObjectRow
 from patchmill_gui.forms.property_rows import (
@@ -131,14 +132,14 @@ class PropertyForm(QtCore.QObject):
 
     def show_error(self, error):
         """Puts the sentence of an InputError below its field; None clears all, and so does an exception that
-        names no property. Returns whether there is such a field."""
+        names no property. Returns the sentence to be shown elsewhere, which is "" where a field has it."""
         named = getattr(error, "property", None)
         for name, row in self.rows.items():
             mine = named == name
-            row.error.setText("%s: %s" % (error.value, error.remedy) if mine else "")
+            row.error.setText(in_user_units("%s: %s" % (error.value, error.remedy)) if mine else "")
             if mine:
                 row.group.heading.setChecked(True)
-        return named in self.rows
+        return "" if error is None or named in self.rows else error_text(error)
 
 
 def row_for(kind, name, obj):

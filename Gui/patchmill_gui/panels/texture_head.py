@@ -14,6 +14,7 @@ from patchmill.machine.machining_time import in_words
 from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.events import kind_of
+from patchmill_gui.fields.sentences import in_user_units
 from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import translate, wrapping_label
 
@@ -54,7 +55,7 @@ class Head(QtGui.QFrame):
 
     def _say(self, state, sentence):
         self.state = state
-        self.bar.setText(sentence)
+        self.bar.setText(in_user_units(sentence))
         self.bar.setStyleSheet(
             "background: %s; color: white; padding: 3px; border-radius: 3px; font-weight: bold" % state
         )

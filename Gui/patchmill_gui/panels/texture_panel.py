@@ -122,8 +122,7 @@ class TexturePage(OperationPage):
 
     def show_error(self, error):
         """The sentence of an InputError at its field; elsewhere, or of another property, in the box."""
-        at_field = self.properties.show_error(error)
-        self.message.setText("" if error is None or at_field else str(error))
+        self.message.setText(self.properties.show_error(error))
 
 
 class TexturePanel(OperationPanel):

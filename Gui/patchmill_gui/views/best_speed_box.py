@@ -13,6 +13,7 @@ from patchmill.textures.plan import plan_texture
 from patchmill.verify import best_speed
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.sentences import error_text
 from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, translate, wrapping_label
 from patchmill_gui.work.background import Background
 
@@ -137,7 +138,7 @@ class BestSpeedBox(QtGui.QGroupBox):
     def _failed(self, error):
         self.progress.setVisible(False)
         self.curve.setVisible(False)
-        self._say(str(error), ERROR_COLOUR)
+        self._say(error_text(error), ERROR_COLOUR)
 
     def _say(self, text, colour=""):
         self.said.setTextFormat(QtCore.Qt.PlainText)

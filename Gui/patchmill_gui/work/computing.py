@@ -103,5 +103,4 @@ class Computing:
 
     def _show_error(self, error):
         self.error = error
-        at_field = self.form_rows.show_error(error)
-        self.box.message.setText("" if error is None or at_field else str(error))
+        self.box.message.setText(self.form_rows.show_error(error))

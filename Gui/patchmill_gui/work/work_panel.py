@@ -9,6 +9,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.object_watch import ObjectWatch
+from patchmill_gui.fields.sentences import error_text
 from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, button_number, noticed, wrapping_label
 from patchmill_gui.work.background import Background
 
@@ -82,7 +83,7 @@ class WorkPanel(ClosePanel):
     def show_error(self, error):
         self.error = error
         self.bar.hide()
-        self.text.setText(noticed(str(error), ERROR_COLOUR))
+        self.text.setText(noticed(error_text(error), ERROR_COLOUR))
 
     def leave(self):
         self.work.cancel()
