@@ -21,8 +21,8 @@ from patchmill_gui.forms.widgets import (
     GOOD_COLOUR,
     busy_cursor,
     guard_editors,
+    plain_label,
     translate,
-    wrapping_label,
 )
 
 OFFSETS = ["G54", "G55", "G56", "G57", "G58", "G59"]
@@ -68,7 +68,7 @@ class PostDialog(QtGui.QDialog):
     def _build(self):
         layout = QtGui.QVBoxLayout(self)
         rows = QtGui.QFormLayout()
-        rows.addRow(translate("PatchMill", "Machine"), wrapping_label(self._machine()))
+        rows.addRow(translate("PatchMill", "Machine"), plain_label(self._machine()))
         self.post = QtGui.QComboBox()
         self.post.addItems(self._posts())
         self.post.setCurrentText(self.proposed.post)
@@ -77,12 +77,11 @@ class PostDialog(QtGui.QDialog):
         self.offset.addItems([own] + [name for name in OFFSETS if name != own])
         rows.addRow(translate("PatchMill", "Post-&processor"), self.post)
         rows.addRow(translate("PatchMill", "&Work offset"), self.offset)
-        rows.addRow(translate("PatchMill", "Phase"), wrapping_label(self._verdict()))
-        rows.addRow(translate("PatchMill", "Time"), wrapping_label(self._time()))
+        rows.addRow(translate("PatchMill", "Phase"), plain_label(self._verdict()))
+        rows.addRow(translate("PatchMill", "Time"), plain_label(self._time()))
         rows.addRow(translate("PatchMill", "&File"), self._file_row())
         layout.addLayout(rows)
-        self.message = wrapping_label()
-        self.message.setTextFormat(QtCore.Qt.PlainText)
+        self.message = plain_label()
         self.message.setMinimumWidth(420)
         layout.addWidget(self.message)
         self.buttons = QtGui.QDialogButtonBox()

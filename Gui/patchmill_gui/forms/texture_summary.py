@@ -50,5 +50,5 @@ def planned_summary(planned):
         ),
     ]
     if planned.pacing.verdict is not None:
-        lines.append(planned.pacing.verdict.sentence)
+        lines.append(html.escape(planned.pacing.verdict.sentence))
     return "<br>".join(lines)

@@ -135,6 +135,14 @@ def wrapping_label(text=""):
     return label
 
 
+def plain_label(text=""):
+    """A wrapping_label for sentences with names of others in them, of a document's objects or of a machine
+    file: those are no markup."""
+    label = wrapping_label(text)
+    label.setTextFormat(QtCore.Qt.PlainText)
+    return label
+
+
 class Notice(QtGui.QLabel):
     """A sentence in white on a colour, hidden while there is none. Names of a document's objects are no
     markup in it."""

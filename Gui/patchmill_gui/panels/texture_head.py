@@ -4,6 +4,7 @@ at the top of FreeCAD's panel however far that is scrolled, and never shows old 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import html
 import math
 
 import FreeCAD
@@ -16,7 +17,7 @@ from PySide import QtCore, QtGui
 from patchmill_gui.fields.events import kind_of
 from patchmill_gui.fields.sentences import in_user_units
 from patchmill_gui.forms.texture_summary import grouped
-from patchmill_gui.forms.widgets import translate, wrapping_label
+from patchmill_gui.forms.widgets import plain_label, translate, wrapping_label
 
 GREEN, AMBER, RED, GREY = "#2e7d32", "#8a5a00", "#b71c1c", "#5f6368"  # under white text, contrast above 5
 _TASK_VIEW = "Gui::TaskView::TaskView"
@@ -32,11 +33,11 @@ class Head(QtGui.QFrame):
         super().__init__()
         self.setObjectName("TextureHead")
         self.setAutoFillBackground(True)
-        self.bar, self.text = wrapping_label(), wrapping_label()
+        self.bar, self.text = plain_label(), wrapping_label()
         self.bar.setObjectName("HeadVerdict")
         self.text.setObjectName("HeadNumbers")
         self.text.setTextFormat(QtCore.Qt.RichText)
-        self.hint = wrapping_label()
+        self.hint = plain_label()
         self.hint.hide()
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(4, 4, 4, 4)
@@ -88,7 +89,7 @@ class Head(QtGui.QFrame):
         if found.away_fraction > 1.0 - GOOD_FRACTION:
             away = translate("PatchMill", "{:.0f} % of the faces look away or are too steep as the part lies")
             lines.append(away.format(100.0 * found.away_fraction))
-        lines += list(notes)
+        lines += map(html.escape, notes)
         self.text.setText("<br>".join(lines))
         self._say(*verdict_of(found, phase))
 
