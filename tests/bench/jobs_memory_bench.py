@@ -149,7 +149,14 @@ def copied(numbers):
     op.RadialDepth, op.AxialDepth = numbers.uniform(0.03, 0.1), numbers.uniform(0.1, 0.4)
     patchmill.recompute(op)
     given = copy_input.input_of(op)
-    return lambda: copy_milling.mill(given)
+    stock, part, _ = copy_milling.solids(given)
+    will = copy_milling.foreseen_bytes(given, part, *copy_milling.to_cut(stock, part))
+
+    def call():
+        memory.require(will)
+        return patchmill.recompute(op)
+
+    return call
 
 
 def dressed(numbers, controls):

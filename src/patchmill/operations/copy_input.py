@@ -55,6 +55,19 @@ class CopyInput:
         own = self.finishing_radial
         return own if own > 0.0 and self.passes != "Roughing" else self.radial
 
+    def each_pass(self, height):
+        """(radial depth, axial depth, allowance) of each pass over a stock of this height."""
+        passes = []
+        if self.passes != "Finishing":
+            passes.append((self.radial, self.axial, self.allowance))
+        # the layers themselves finish the surface, unless an allowance or finer lines are asked for
+        unfinished = self.allowance > 0.0 or self.last_radial != self.radial
+        if self.passes == "Finishing" or (self.passes != "Roughing" and unfinished):
+            # one layer from the top to the bottom of the stock; contours keep their levels
+            axial = self.axial if self.mode == "Contour" else 2.0 * height + 1.0
+            passes.append((self.last_radial, axial, 0.0))
+        return passes
+
 
 def input_of(obj):
     """CopyInput of a CopyMilling object. Raises InputError naming the property."""

@@ -10,7 +10,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import functools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import _patchmill as core
 import FreeCAD
@@ -21,10 +21,13 @@ from patchmill.machine import machining_time
 from patchmill.operations.base import BallEndOperation, create, setup_properties
 from patchmill.operations.computed import recompute  # noqa: F401  for macros: it returns the ToolPath
 from patchmill.operations.copy_input import MODES, PASSES, UNDERCUTS, CopyInput, input_of
+from patchmill.path import copy_forecast
 from patchmill.path.read_text import path_of
 from patchmill.properties.check_properties import CHECK_PROPERTIES, gouge_tolerance
+from patchmill.system import memory
 from patchmill.system.stops import stoppable
 
+BYTES_PER_MOVE = 2200  # with its command in the document: measured by tests/bench/jobs_memory_bench.py
 LEAST_HEIGHT = 1e-3  # mm of stock that is looked at, over a face at its top
 NOTHING_THERE = "there is nothing to cut on them, or the ball does not reach them from above."
 OVERLAP = 0.87  # of the corner's radius that lines go beyond the stock: slopes up to 60 degrees are finished
@@ -124,15 +127,10 @@ def mill(given, progress=None):
     """CopiedPath of a CopyInput; None if `progress` (share -> bool) returned False. Raises InputError naming
     the property."""
     stock, part, faces = solids(given)
-    low, high = _to_cut(stock, faces or part)
+    low, high = to_cut(stock, faces or part)
     _check_heights(given, low, high)
-    jobs = []  # (radial depth, axial depth, allowance) of each pass
-    if given.passes != "Finishing":
-        jobs.append((given.radial, given.axial, given.allowance))
-    if given.passes == "Finishing" or (given.passes != "Roughing" and _needs_finishing(given)):
-        # one layer from the top to the bottom of the stock; contours keep their levels
-        axial = given.axial if given.mode == "Contour" else 2.0 * (high[2] - low[2]) + 1.0
-        jobs.append((given.last_radial, axial, 0.0))
+    _require_memory(given, part, low, high)
+    jobs = given.each_pass(high[2] - low[2])
     made, lost = [], 0
     for number, depths in enumerate(jobs):
         asked = _Asked(progress, number, len(jobs))
@@ -148,6 +146,56 @@ def mill(given, progress=None):
     if faces is not None and not (path.kinds == core.MoveKind.CUT).any():
         raise InputError("Base", given.chosen, NOTHING_THERE)
     return CopiedPath(path, lost, given)
+
+
+def foreseen_bytes(given, part, low, high, much=0.0):
+    """Memory that a CopyInput's path takes in a document, about: of what surely takes less than `much` a
+    number that is too large, of other ones by milling slices of the stock."""
+    radius, beyond = given.tool.radius, _beyond(given.tool)
+    most, about = 0.0, []
+    for radial, axial, allowance in given.each_pass(high[2] - low[2]):
+        cut = copy_forecast.Cut(tuple(low), tuple(high), radial, axial, given.tolerance)
+        most += BYTES_PER_MOVE * cut.at_most(radius, beyond)
+
+        def count(some, left=allowance):
+            asked = replace(given, tolerance=some.tolerance)
+            options = _options(asked, some.low, some.high, some.radial, some.axial, left)
+            return len(core.copy_mill(part, options)[0])
+
+        about.append((cut, count))
+    if most < much:
+        return most
+    return BYTES_PER_MOVE * sum(
+        copy_forecast.moves(cut, given.mode, radius, beyond, count) for cut, count in about
+    )
+
+
+def _require_memory(given, part, low, high):
+    """Raises InputError naming the property that takes more memory than there is, with a value of it that was
+    found to take less."""
+    free = max(1.0, memory.available())
+    needed = foreseen_bytes(given, part, low, high, 0.1 * free)
+    if needed <= free:
+        return
+    tried = {  # field of CopyInput: (property, most that is proposed, how its moves go with it)
+        "finishing_radial": ("FinishingRadialDepth", given.tool.radius, 1.0),
+        "radial": ("RadialDepth", given.tool.radius, 1.0),
+        "axial": ("AxialDepth", min(given.tool.radius, given.cutting_edge), 1.0),
+        "tolerance": ("Tolerance", 0.1 * given.tool.radius, 2.0),
+    }
+    remedy, first = "mill a smaller part, or chosen faces of it, in a job of its own.", None
+    for field in sorted(tried, key=lambda one: getattr(given, one) / tried[one][1]):
+        name, most, power = tried[field]
+        value = getattr(given, field)
+        if not 0.0 < value < most:
+            continue
+        first = first or (name, value)
+        larger = float("%.2g" % min(most, value * (1.5 * needed / free) ** power))
+        if foreseen_bytes(replace(given, **{field: larger}), part, low, high) <= free:
+            first, remedy = (name, value), "give about %g mm." % larger
+            break
+    name, value = first or ("RadialDepth", given.radial)
+    memory.require(needed, name, "%g mm" % value, remedy)
 
 
 class _Asked:
@@ -168,11 +216,11 @@ def live_options(given):
     stock, part, faces = solids(given)
     if faces is not None:
         raise InputError("Base", given.chosen, "live, choose the whole model.")
-    low, high = _to_cut(stock, part)
+    low, high = to_cut(stock, part)
     return _options(given, low, high, given.radial, given.axial, 0.0), part
 
 
-def _to_cut(stock, part):
+def to_cut(stock, part):
     """Low and high corner of the stock's box; the stock below `part`, the model or the chosen faces, is not
     for this operation."""
     low, high = stock.bounds
@@ -184,11 +232,6 @@ def _options(given, low, high, radial, axial, allowance):
     depths = (radial, axial, given.tolerance, allowance)
     room = (low, high, given.safe_height - high[2], _beyond(given.tool))
     return core.CopyOptions(given.mode, given.tool, given.spindle, given.feed, *depths, *room)
-
-
-def _needs_finishing(given):
-    """The layers themselves finish the surface, unless an allowance or finer lines are asked for."""
-    return given.allowance > 0.0 or given.last_radial != given.radial
 
 
 def solids(given):
