@@ -15,6 +15,7 @@ from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.widgets import button_number, translate
+from patchmill_gui.work.room import make_room_soon
 
 NAME = "PatchMill_InstallCore"
 
@@ -93,6 +94,7 @@ class CorePanel:
             button.setEnabled(False)
 
     def getStandardButtons(self):
+        make_room_soon()
         return button_number(QtGui.QDialogButtonBox.Close)
 
     def reject(self):

@@ -29,6 +29,7 @@ from patchmill_gui.forms.widgets import (
 from patchmill_gui.views.legend import LegendPlace
 from patchmill_gui.views.path_view import PathScene, settle_native_lines
 from patchmill_gui.work.computing import Computing, ComputingBox
+from patchmill_gui.work.room import make_room_soon
 
 AXES = ("X", "Y", "Z")
 ARROWS_PER_AXIS = 24  # about so many along the longest side
@@ -162,6 +163,7 @@ class DcmPanel(Computing):
         self.scene.parts.show({"arrows": display})
 
     def getStandardButtons(self):
+        make_room_soon()
         return button_number(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def accept(self):

@@ -14,6 +14,7 @@ from PySide import QtCore, QtGui
 from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.resources import native
 from patchmill_gui.forms.widgets import forget_closed_panels, guard_editors, let_shrink, made_alive, translate
+from patchmill_gui.work.room import make_room_soon
 
 
 NativeView: typing.Any = native("operation").ViewProvider
@@ -97,6 +98,7 @@ class OperationPanel(NativePanel):
         super().setupUi()
         for page in self.featurePages:
             guard_editors(page.form)  # also FreeCAD's own
+        make_room_soon()
 
     def modifyStandardButtons(self, buttonBox):
         super().modifyStandardButtons(buttonBox)

@@ -12,6 +12,7 @@ from patchmill_gui.fields.object_watch import ObjectWatch
 from patchmill_gui.fields.sentences import error_text
 from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, button_number, noticed, wrapping_label
 from patchmill_gui.work.background import Background
+from patchmill_gui.work.room import make_room_soon
 
 
 class ClosePanel:
@@ -30,6 +31,7 @@ class ClosePanel:
     def getStandardButtons(self):
         """FreeCAD asks when it shows the panel."""
         self.opened = True
+        make_room_soon()
         return button_number(QtGui.QDialogButtonBox.Close)
 
     def leave(self):

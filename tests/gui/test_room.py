@@ -1,0 +1,120 @@
+"""No control of a panel lies past what its dock shows: at 1024 by 768, in a dock that was made narrow before,
+in every language, all folds open.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import driver
+import FreeCADGui
+from patchmill_gui.forms.widgets import forget_closed_panels
+from PySide import QtCore, QtGui
+
+SHOWN = (
+    QtGui.QLabel, QtGui.QAbstractButton, QtGui.QLineEdit, QtGui.QComboBox, QtGui.QAbstractSpinBox,
+    QtGui.QAbstractItemView, QtGui.QPlainTextEdit, QtGui.QAbstractSlider, QtGui.QProgressBar, QtGui.QGroupBox,
+)  # fmt: skip
+NARROW = 180  # pixels
+WIDEST = 400  # that a panel may ask for, of a screen of 1024
+
+
+def dock():
+    return FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Combo View")
+
+
+def across(widget, around):
+    """(left, right) of a widget in one that it is in [pixels]."""
+    left = widget.mapTo(around, QtCore.QPoint(0, 0)).x()
+    return left, left + widget.width()
+
+
+def cut_off(around):
+    """(what, its left, its right, what is seen to) of all that a dock shows in part: of a control in a scroll
+    area past its viewport, of a scroll area past the dock."""
+    forget_closed_panels()  # PySide gives a new widget the Python object of a deleted one
+    found, kept = [], []  # it takes a widget for deleted when the last name of its parent goes
+    for area in around.findChildren(QtGui.QScrollArea):
+        if not area.isVisible():
+            continue
+        contents, viewport = area.widget(), area.viewport()
+        kept += [contents, viewport]
+        inside = [(each, viewport) for each in contents.findChildren(QtGui.QWidget)]
+        for each, limit in [(area, around)] + inside:
+            if each.isVisible() and (each is area or isinstance(each, SHOWN)) and not each.isWindow():
+                left, right = across(each, limit)
+                if left < 0 or right > limit.width():
+                    text = each.text() if hasattr(each, "text") else ""
+                    name = each.objectName() or each.metaObject().className()
+                    found.append((name, text, left, right, limit.width()))
+    return found
+
+
+class Room(driver.BlockTest):
+    def setUp(self):
+        window = FreeCADGui.getMainWindow()
+        window.showNormal()
+        window.resize(1024, 768)
+        self.document, self.part = driver.new_document(driver.wavy_block(8.0, 6.0))
+
+    def tearDown(self):
+        super().tearDown()
+        FreeCADGui.setLocale("English")
+
+    def narrow(self):
+        """As a user who leaves more room to the view, before a panel is opened."""
+        FreeCADGui.getMainWindow().resizeDocks([dock()], [NARROW], QtCore.Qt.Horizontal)
+        driver.rest(0.2)
+
+    def check(self, what):
+        driver.rest(0.6)
+        driver.wait(lambda: not cut_off(dock()), 20)  # where the machine is busy
+        self.assertEqual(cut_off(dock()), [], what)
+        self.assertLess(dock().width(), WIDEST, what)
+
+    def panels(self, language):
+        FreeCADGui.setLocale(language)
+        self.narrow()
+        operation, panel = driver.begin_texture(self.part)
+        self.check(language + ", texture")
+        panel.page.advanced.heading.setChecked(True)
+        for group in panel.page.properties.groups.values():
+            group.heading.setChecked(True)
+        self.check(language + ", texture, all")
+        panel.page.advanced.heading.setChecked(False)
+        driver.accept(panel)
+        for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):
+            self.narrow()
+            driver.run_on(operation, command)
+            self.check("%s, %s" % (language, command))
+            FreeCADGui.Control.closeDialog()
+        self.narrow()
+        driver.run_on(self.part, "PatchMill_CopyMilling")
+        milling = self.document.getObject("CopyMilling")
+        panel = driver.panel_of(milling)
+        panel.form_rows.rows["AxialDepth"].editor.setProperty("rawValue", 4.0)
+        self.check(language + ", copy milling")
+        driver.accept(panel)
+        self.narrow()
+        driver.run_on(milling, "PatchMill_DressupDcm")
+        self.check(language + ", DCM")
+        self.document.getObject("DressupDCM").ViewObject.Proxy.panel.reject()
+
+    def test_english(self):
+        self.panels("English")
+
+    def test_german(self):
+        self.panels("German")
+
+    def test_japanese(self):
+        self.panels("Japanese")
+
+    def test_a_dock_that_is_wide_enough_stays_as_it_is(self):
+        FreeCADGui.getMainWindow().resizeDocks([dock()], [450], QtCore.Qt.Horizontal)
+        driver.rest(0.2)
+        before = dock().width()
+        driver.begin_texture(self.part)
+        driver.rest(0.6)
+        self.assertEqual(dock().width(), before)
+
+
+def main():
+    return driver.run_tests(Room)
