@@ -2132,6 +2132,10 @@ Spindel {:.0f}°</translation>
         <source>{} of the faces good; the rest looks away: turn the part for it</source>
         <translation>{} der Flächen gut; der Rest ist abgewandt: das Teil dafür drehen</translation>
     </message>
+    <message>
+        <source>The faces are about {} wide: {:.0f} dimples side by side are too few.</source>
+        <translation>Die Flächen sind etwa {} breit: {:.0f} Mulden nebeneinander sind zu wenige.</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

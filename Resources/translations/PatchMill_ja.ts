@@ -2132,6 +2132,10 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>{} of the faces good; the rest looks away: turn the part for it</source>
         <translation>面の {} が良好、残りは工具の反対側を向いています：そのために部品を回してください</translation>
     </message>
+    <message>
+        <source>The faces are about {} wide: {:.0f} dimples side by side are too few.</source>
+        <translation>面の幅は約 {} です。並ぶディンプルが {:.0f} 個では足りません。</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

@@ -15,11 +15,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 
 import FreeCAD  # noqa: E402
 import numpy as np  # noqa: E402
+import Part  # noqa: E402
 import one_click  # noqa: E402
 import other_parts  # noqa: E402
 import patchmill  # noqa: E402
 import quality_parts  # noqa: E402
-from patchmill.advice import cells, hollows, orientation, remedies, verdict  # noqa: E402
+from patchmill.advice import cells, hollows, narrow, orientation, remedies, verdict  # noqa: E402
 from patchmill.advice.found import Assessment, PatchQuality  # noqa: E402
 
 HOLDS, LOST = types.SimpleNamespace(holding="holds"), types.SimpleNamespace(holding="lost")
@@ -151,6 +152,49 @@ class Hollows(unittest.TestCase):
         self.assertLess(radius, 1.0)
         self.assertEqual(narrow, radius)
         self.assertIsNone(self.radius("bore")[1])
+
+
+class Narrow(unittest.TestCase):
+    def texture(self, shape, face):
+        operation = one_click.texture(shape, face, "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        return operation
+
+    def rim(self, wide, radius=15.0):
+        return other_parts.top(Part.makeCylinder(radius, 4).cut(Part.makeCylinder(radius - wide, 4)))
+
+    def test_known_widths(self):
+        """Of rectangles, a ring and a shaft; a disc is no narrower than its radius."""
+        for sides in ((20.0, 1.5), (1.5, 20.0), (6.0, 6.0)):
+            face = Part.makePlane(*sides)
+            self.assertAlmostEqual(narrow.width(face), min(sides), places=9)
+        shape, name = self.rim(1.5)
+        self.assertAlmostEqual(narrow.width(shape.getElement(name)), 1.5, places=9)
+        shaft = max(Part.makeCylinder(3.0, 2.0).Faces, key=lambda face: face.Area)
+        self.assertAlmostEqual(narrow.width(shaft), 2.0, places=9)
+        disc = Part.Face(Part.Wire(Part.makeCircle(8.0)))
+        self.assertGreater(narrow.width(disc), 8.0)
+
+    def test_few_dimples_side_by_side(self):
+        """Of a rim with 3, not of a ring with 6, nor of a plate; nor where little of the area is narrow."""
+        for wide, expected in ((1.5, (1.5, 3.0)), (3.0, None)):
+            operation = self.texture(*self.rim(wide))
+            given = operation.Proxy.texture_input(operation)
+            found = narrow.too_narrow(given)
+            self.assertEqual(found and tuple(round(each, 6) for each in found), expected)
+            finer = replace(given, spacing=0.25)
+            self.assertIsNone(narrow.too_narrow(finer))
+        plate = Part.makePlane(20.0, 16.0).exportBrepToString()
+        rim = Part.makePlane(8.0, 1.5).exportBrepToString()
+        self.assertIsNone(narrow.too_narrow(replace(given, breps=(plate, rim))))
+        self.assertIsNotNone(narrow.too_narrow(replace(given, breps=(plate, rim, rim))))
+
+    def test_a_narrow_rim_gets_a_smaller_spacing(self):
+        operation = self.texture(*self.rim(1.5, radius=6.0))
+        found = one_click.remedies_of(operation, {"margin": 0.0})
+        self.assertTrue(found[0].assessment.good)
+        self.assertEqual(found[0].kind, "incline")
+        self.assertLess(found[0].fields["spacing"], 0.35)
 
 
 class ClosedFaces(unittest.TestCase):

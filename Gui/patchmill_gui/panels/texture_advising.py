@@ -9,7 +9,7 @@ from functools import partial
 
 import FreeCAD
 from _patchmill import InputError
-from patchmill.advice import apply, assessment, choice, hollows, remedies
+from patchmill.advice import apply, assessment, choice, hollows, narrow, remedies
 from patchmill.textures import strategies
 from patchmill.verify.simulation import simulate
 from PySide import QtCore
@@ -46,13 +46,14 @@ def _assess_and_draw(given, progress):
 
 
 def _find_help(finder, given, progress):
-    """(Remedies, (least radius of the faces' hollows, that of the ball) [mm] if it does not fit or None), or
-    None if cancelled."""
+    """(Remedies, (least radius of the faces' hollows, that of the ball) [mm] if it does not fit or None,
+    narrow.too_narrow where nothing helps at this spacing or None), or None if cancelled."""
     found = finder.find(given, progress)
     if found is None:
         return None
-    narrow = hollows.too_narrow(given)
-    return found, None if narrow is None else (narrow, given.tool.radius)
+    radius = hollows.too_narrow(given)
+    helped = any(remedy.assessment.good and "spacing" not in remedy.fields for remedy in found)
+    return found, radius and (radius, given.tool.radius), None if helped else narrow.too_narrow(given)
 
 
 class Advising(QtCore.QObject):
@@ -178,7 +179,7 @@ class Advising(QtCore.QObject):
         self.helping.start(lambda progress: _find_help(finder, given, progress))
 
     def _helped(self, made):
-        found, radii = made or (None, None)
+        found, radii, strip = made or (None, None, None)
         note = "" if found else translate("PatchMill", "Nothing that was tried makes it better.")
         if radii is not None:
             bends = translate(
@@ -186,6 +187,12 @@ class Advising(QtCore.QObject):
             )
             said = (FreeCAD.Units.Quantity(radius, "mm").UserString for radius in radii)
             note = " ".join(filter(None, (note, bends.format(*said))))
+        elif strip is not None:
+            wide = translate(
+                "PatchMill", "The faces are about {} wide: {:.0f} dimples side by side are too few."
+            )
+            width = FreeCAD.Units.Quantity(strip[0], "mm").UserString
+            note = " ".join(filter(None, (note, wide.format(width, strip[1]))))
         self.head.note(note)
         self.head.offer(found or [])
 

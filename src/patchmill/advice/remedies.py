@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.advice import orientation
+from patchmill.advice import narrow, orientation
 from patchmill.advice.choice import POLYGONS
 from patchmill.advice.found import GOOD, GOOD_FRACTION, Assessment
 from patchmill.machine import machines
@@ -123,6 +123,8 @@ class Finder:
             lean = orientation.leanings(normals, areas, flattest=flattest)[0]
             if self.can_incline and lean[0] > max(worth, best[0] + MIN_GAIN):
                 last.append(partial(self._incline, given, lean, part))
+            elif self.can_incline and best[0] > worth and narrow.too_narrow(given):
+                last.append(partial(self._incline, given, best, part))
         if self.can_incline:
             worth = min(worth, WORTH_TRYING * best[0])
             last.extend(partial(self._incline, given, one) for one in other if one[0] > worth)
