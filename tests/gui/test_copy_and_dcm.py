@@ -95,6 +95,14 @@ class CopyAndDcm(driver.BlockTest):
         self.assertTrue(driver.wait(lambda: not driver.panel_open()))
         self.assertEqual(self.names(), before)
 
+    def test_a_panel_closed_by_a_macro_is_left_like_one_that_is_cancelled(self):
+        _, panel = self.begin_copy()
+        FreeCADGui.Control.closeDialog()
+        driver.rest(0.1)  # its widgets are deleted
+        FreeCADGui.activeDocument().resetEdit()
+        self.assertTrue(driver.wait(lambda: panel.left, 10))
+        self.assertFalse(driver.panel_open())
+
     def test_bad_values_are_told_at_their_field(self):
         _, panel = self.begin_copy()
         panel.form_rows.rows["AxialDepth"].editor.setProperty("rawValue", 0.0)

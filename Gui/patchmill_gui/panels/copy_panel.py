@@ -66,7 +66,7 @@ class CopyPanel(Computing, OperationPanel):
         self.compute(False)
 
     def stop(self):
-        self.cancel()
+        self.give_up()
 
     def reject(self, resetEdit=True):
         return False if self.stop_waiting() else super().reject(resetEdit)

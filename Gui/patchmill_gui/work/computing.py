@@ -72,10 +72,15 @@ class Computing:
 
     def cancel(self):
         """Stops what is running; returns whether anything was."""
-        busy, self.closing = self.work.busy, False
-        self.work.cancel()
+        busy = self.work.busy
+        self.give_up()
         self._idle()
         return busy
+
+    def give_up(self):
+        """The same of a panel that closes, whose widgets may be deleted."""
+        self.closing = False
+        self.work.cancel()
 
     def stop_waiting(self):
         """What Cancel does first: stops the work. Returns whether OK was waiting for it, so that this is all
