@@ -25,6 +25,10 @@ import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MODULE = os.path.join(ROOT, "build", "Mod", "PatchMill")
+sys.path.insert(0, MODULE)
+
+from patchmill.batch import index  # noqa: E402
+
 OCCT = "/usr/share/opencascade/data"
 IDF = "/usr/share/freecad/Mod/Idf/Idflibs"
 PATTERNS = (OCCT + "/occ/*.brep", OCCT + "/step/*.step", OCCT + "/iges/*.iges", IDF + "/*.stp")
@@ -100,12 +104,6 @@ def finished(recipe, out, jobs, *words):
         return status, json.load(file)
 
 
-def without_times(index):
-    """The text of an index without what is under `run`."""
-    parts = [{k: v for k, v in part.items() if k != "run"} for part in index["parts"]]
-    return json.dumps(dict(index, parts=parts), indent=1, sort_keys=True)
-
-
 def kill(folder, jobs):
     """See above; returns the exit status."""
     recipe = prepare(folder)
@@ -123,7 +121,7 @@ def kill(folder, jobs):
         done = len(os.listdir(there)) if os.path.isdir(there) else 0
         print("killed %d times, %d parts are finished" % (number + 1, done), flush=True)
     again, resumed = finished(recipe, killed, jobs, "--resume")
-    same = without_times(whole) == without_times(resumed)
+    same = index.without_times(whole) == index.without_times(resumed)
     said = {p["name"]: p["status"] for p in whole["parts"]}
     three = {name: said.get(name) for name in THREE}
     print("%d parts, %.0f s; exit status %d, resumed %d" % (len(said), seconds, status, again))
@@ -166,7 +164,8 @@ def starts(count):
 
 
 def speed(folder, jobs):
-    """See above; the three that have no program are left out of both."""
+    """See above; the three that have no program are left out of both. Returns the exit status: 1 if one way
+    made other programs than the other."""
     recipe = prepare(folder)
     for name in THREE:
         os.unlink(glob.glob(os.path.join(folder, "parts", name + ".*"))[0])
@@ -187,7 +186,7 @@ def speed(folder, jobs):
     print("programs: %d by patchmill run, %d by hand" % tuple(made))
     print("overhead of patchmill run: %.2f s a part" % ((rows[0][1] - rows[1][1]) / count))
     print("FreeCAD's own start: %.2f s a part" % starts(5))
-    return 0
+    return int(made[0] != made[1])
 
 
 def main():
