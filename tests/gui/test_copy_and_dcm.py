@@ -4,6 +4,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import gc
+import re
 
 import FreeCAD
 import FreeCADGui
@@ -94,6 +95,17 @@ class CopyAndDcm(driver.BlockTest):
         panel.reject()
         self.assertTrue(driver.wait(lambda: not driver.panel_open()))
         self.assertEqual(self.names(), before)
+
+    def test_ridges_are_told_with_their_digits_in_inches(self):
+        FreeCAD.Units.setSchema(3)
+        self.addCleanup(FreeCAD.Units.setSchema, 0)
+        operation, panel = self.begin_copy()
+        said = self.said_and_accepted(panel)
+        radius = 0.5 * operation.ToolController.Tool.Diameter.Value
+        spacing = operation.FinishingRadialDepth.Value
+        ridge = radius - (radius**2 - 0.25 * spacing**2) ** 0.5
+        (told,) = re.findall(r"ridges of (\S+) in on a flat", said)
+        self.assertAlmostEqual(25.4 * float(told), ridge, delta=1e-3 * ridge)
 
     def test_a_panel_closed_by_a_macro_is_left_like_one_that_is_cancelled(self):
         _, panel = self.begin_copy()

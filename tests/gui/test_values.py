@@ -7,8 +7,11 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import driver
 import FreeCAD
 import hands
+from patchmill.advice.found import Assessment
+from patchmill.advice.remedies import Remedy
 from patchmill_gui.fields import quantity_entry
 from patchmill_gui.fields.sentences import in_user_units
+from patchmill_gui.panels import texture_head
 from PySide import QtCore, QtGui
 
 UNITS = "User parameter:BaseApp/Preferences/Units"
@@ -116,6 +119,17 @@ class Values(driver.BlockTest):
         FreeCAD.Units.setSchema(MM)
         self.assertEqual(in_user_units("2.8284271247461903 mm from 0.5 mm"), "2.828 mm from 0.5 mm")
         self.assertEqual(in_user_units("eine Kugel von 12,5 mm"), "eine Kugel von 12,5 mm")
+
+    def test_small_lengths_in_sentences_have_their_digits(self):
+        FreeCAD.Units.setSchema(INCHES)
+        found = Assessment(100, 1.0, {})
+        said = texture_head.remedy_text(Remedy("finer", {"spacing": 0.12}, found))
+        self.assertIn("spacing 0.004724 in", said)
+        _, panel = driver.begin_texture(self.part)
+        panel.advising._helped(([], (0.05, 0.11), None))
+        self.assertIn("radius of 0.001969 in; the ball of 0.004331 in", panel.advising.head.hint.text())
+        panel.advising._helped(([], None, (0.15, 3.0)))
+        self.assertIn("about 0.005906 in wide", panel.advising.head.hint.text())
 
     def test_an_error_at_its_field_is_in_the_users_units(self):
         rows = self.begin(INCHES)

@@ -4,11 +4,11 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import _patchmill as core
-import FreeCAD
 from patchmill.freecad import preferences
 from patchmill.machine.machining_time import in_words
 from patchmill.operations import copy_milling
 
+from patchmill_gui.fields import unit_text
 from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import translate
 from patchmill_gui.panels.operation_base import OperationPage, OperationPanel, OperationView
@@ -76,7 +76,7 @@ def _summary(made):
     """What there is to say of a CopiedPath."""
     ridge = core.scallop_height(made.path.tool.radius, made.asked.last_radial)
     text = translate("PatchMill", "{} moves, {} of milling, ridges of {} on a flat").format(
-        grouped(len(made.path)), in_words(made.seconds), FreeCAD.Units.Quantity(ridge, "mm").UserString
+        grouped(len(made.path)), in_words(made.seconds), unit_text.text_of(ridge, "mm")
     )
     return "<br>".join([text, *(translate("PatchMill", remark) for remark in copy_milling.remarks(made))])
 

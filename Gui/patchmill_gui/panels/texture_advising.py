@@ -7,13 +7,13 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 from dataclasses import replace
 from functools import partial
 
-import FreeCAD
 from _patchmill import InputError
 from patchmill.advice import apply, assessment, choice, hollows, narrow, remedies
 from patchmill.textures import strategies
 from patchmill.verify.simulation import simulate
 from PySide import QtCore
 
+from patchmill_gui.fields import unit_text
 from patchmill_gui.forms.widgets import translate
 from patchmill_gui.panels.texture_head import Head
 from patchmill_gui.views.texture_scene import relief_of
@@ -180,20 +180,18 @@ class Advising(QtCore.QObject):
 
     def _helped(self, made):
         found, radii, strip = made or (None, None, None)
-        note = "" if found else translate("PatchMill", "Nothing that was tried makes it better.")
+        said = [] if found else [translate("PatchMill", "Nothing that was tried makes it better.")]
         if radii is not None:
             bends = translate(
                 "PatchMill", "The faces bend in to a radius of {}; the ball of {} does not fit there."
             )
-            said = (FreeCAD.Units.Quantity(radius, "mm").UserString for radius in radii)
-            note = " ".join(filter(None, (note, bends.format(*said))))
+            said.append(bends.format(*(unit_text.text_of(radius, "mm") for radius in radii)))
         elif strip is not None:
             wide = translate(
                 "PatchMill", "The faces are about {} wide: {:.0f} dimples side by side are too few."
             )
-            width = FreeCAD.Units.Quantity(strip[0], "mm").UserString
-            note = " ".join(filter(None, (note, wide.format(width, strip[1]))))
-        self.head.note(note)
+            said.append(wide.format(unit_text.text_of(strip[0], "mm"), strip[1]))
+        self.head.note(" ".join(said))
         self.head.offer(found or [])
 
     def _take(self, remedy):

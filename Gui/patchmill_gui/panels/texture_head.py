@@ -7,13 +7,13 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import html
 import math
 
-import FreeCAD
 from patchmill.advice import verdict
 from patchmill.advice.found import GOOD, GOOD_FRACTION
 from patchmill.advice.remedies import LAID
 from patchmill.machine.machining_time import in_words
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields import unit_text
 from patchmill_gui.fields.events import kind_of
 from patchmill_gui.fields.sentences import in_user_units
 from patchmill_gui.forms.texture_summary import grouped
@@ -89,7 +89,7 @@ class Head(QtGui.QFrame):
         if found.away_fraction > 1.0 - GOOD_FRACTION:
             away = translate("PatchMill", "{:.0f} % of the faces look away or are too steep as the part lies")
             lines.append(away.format(100.0 * found.away_fraction))
-        lines += map(html.escape, notes)
+        lines += (html.escape(in_user_units(note)) for note in notes)
         self.text.setText("<br>".join(lines))
         self._say(*verdict_of(found, phase))
 
@@ -244,8 +244,8 @@ def remedy_text(remedy):
         "values": translate("PatchMill", "Take the values that suit"),
     }[remedy.kind]
     if "spacing" in fields:
-        spacing = FreeCAD.Units.Quantity(fields["spacing"], "mm")
-        what = translate("PatchMill", "{}, spacing {}").format(what, spacing.UserString)
+        spacing = unit_text.text_of(fields["spacing"], "mm")
+        what = translate("PatchMill", "{}, spacing {}").format(what, spacing)
     if "mapping" in fields and remedy.kind != "lay":
         what = translate("PatchMill", "{}, dimples laid along the faces").format(what)
     if "minimum_tilt" in fields and remedy.kind != "leave out":
