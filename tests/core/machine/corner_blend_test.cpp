@@ -54,6 +54,24 @@ TEST(CornerBlend, AFlatCornerIsAsFastAsItsSides) {
   EXPECT_TRUE(corner(trim + 0.998 * 4e-3 * fast).swallows);
 }
 
+// A corner of 0.33 mrad, with an arc of 0.025 mm: alone it would be passed in a period at 25 mm/s, and the kink at
+// 188. With the straight of 0.48 mm that it swallows it is as fast as its radius lets it be, and LinuxCNC's log shows
+// it taken: half of the acceleration, and the next move's K, from the straight's beginning on.
+TEST(CornerBlend, AnArcCountsTheStraightThatItSwallows) {
+  MotionModel fast = machine();
+  fast.velocity = 300.0;
+  fast.acceleration = 500.0;
+  const Vec3 before(-0.2573, -0.4170, -0.0614), after(-0.2575, -0.4175, -0.0616);
+  const auto side = [](const Vec3& way) {
+    return CornerSide{way.normalized(), way.norm(), way.norm()};
+  };
+  const Corner corner = corner_between(side(before), side(after), 1e-6, fast);
+  EXPECT_TRUE(corner.swallows);
+  EXPECT_NEAR(corner.arc, 0.0245, 1e-3);
+  EXPECT_GT(corner.speed, kink_speed(side(before), side(after), fast));
+  EXPECT_DOUBLE_EQ(corner.speed, corner.planned);
+}
+
 TEST(CornerBlend, TakesAtMostHalfOfANeighbour) {
   const Corner corner = corner_blend(0.4, 0.01, 10.0, 0.15, 2000.0);
   EXPECT_DOUBLE_EQ(corner.trim, 0.075);

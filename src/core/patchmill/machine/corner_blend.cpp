@@ -140,7 +140,8 @@ Corner corner_between(const CornerSide& before, const CornerSide& after, double 
   Corner arc = chosen_arc(before, after, angle, tolerance, model);
   arc.swallows = before.left - arc.trim < kSwallowPeriods * model.period * arc.speed;
   arc.planned = arc.speed;
-  arc.speed = std::min(arc.speed, arc.arc / model.period);
+  const double swallowed = arc.swallows ? std::max(0.0, before.left - arc.trim) : 0.0;
+  arc.speed = std::min(arc.speed, (arc.arc + swallowed) / model.period);
   return arc.speed > kink.speed ? arc : kink;
 }
 

@@ -4,9 +4,10 @@
 //     radius R = delta / (sec(theta/2) - 1),   trim d = R tan(theta/2),   arc R theta,
 // and is passed at sqrt(sqrt(3)/2 a R): the controller keeps half of the acceleration for along the
 // path. No arc is passed in less than an interpolation period, nor is it greater than the axes' velocity
-// asks for. Where that would be slower, the corner is run over as a kink, at the speed whose jump takes
-// a tenth of the acceleration, which both neighbours then give up. A straight of less than four periods
-// before an arc is swallowed by it: it becomes a part of the arc, with its K and acceleration.
+// asks for. A straight of less than four periods before an arc is swallowed by it: it becomes a part of the
+// arc, with its K and acceleration, and counts to the length that is passed in a period. Where the arc would
+// be slower, the corner is run over as a kink, at the speed whose jump takes a tenth of the acceleration,
+// which both neighbours then give up.
 //
 // The lock counts turns as (length along the rounded path) / K, K of the *next* move on the
 // arc. So rounding loses (2 d - R theta) / K turns and a change of K at the corner d (1/K - 1/K');
