@@ -172,7 +172,7 @@ class Simulate(unittest.TestCase):
             ("step", 0.0, "GridStep"),
             ("program", "/nowhere.ngc", "Program"),
             ("machine", "no such", "Machine"),
-            ("memory_limit", 1e5, "Memory"),
+            ("memory_limit", 1e5, "GridStep"),
             ("runout", (0.0,), "Runout"),
         ):
             with self.subTest(keyword):

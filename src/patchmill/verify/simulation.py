@@ -62,7 +62,7 @@ def simulate(
     [degrees]. `runout`: how far each flute's edge stands out [mm]. `memory_limit` [bytes].
     `dialect`: of the program, as _patchmill.read_gcode takes it.
 
-    Raises InputError naming what is wrong: Path, Program, Machine, Samples, Window, GridStep, Stock, Memory
+    Raises InputError naming what is wrong: Path, Program, Machine, Samples, Window, GridStep, Stock
     and what the core names."""
     plan = _plan_of(texture)
     motion, source = motion_of(plan, path, program, dialect, machine, samples)

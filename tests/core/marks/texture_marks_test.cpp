@@ -6,6 +6,8 @@
 #include "patchmill/geometry/error.h"
 #include "patchmill/marks/machine_motion.h"
 
+#include <cstdio>
+
 #include <gtest/gtest.h>
 
 namespace patchmill::marks {
@@ -53,11 +55,42 @@ TEST(TextureMarks, CancelLeavesRowsUnknown) {
   EXPECT_FALSE(std::isnan(some.height.front()));
 }
 
-TEST(TextureMarks, MemoryOverTheLimitIsRefused) {
+// In one band and in several, whose size is the same at any step.
+TEST(TextureMarks, MemoryOverTheLimitIsRefusedWithAStepThatDoes) {
+  for (const int rows : {1000, 12}) {
+    Array a;
+    a.options.band_cells = rows * a.grid.columns;
+    a.options.halo = 0.0;
+    a.options.marks.memory_limit = rows == 12 ? 2e5 : 1e6;
+    const auto simulate = [&](const SurfaceGrid& grid) {
+      simulate_texture(a.motion, {a.path.tool, {}, {}}, grid, {}, a.options);
+    };
+    try {
+      simulate(a.grid);
+      FAIL() << "more than the limit";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.property(), "GridStep");
+      double step = 0.0;
+      const std::string& remedy = error.remedy();
+      ASSERT_EQ(std::sscanf(remedy.c_str() + remedy.find("take "), "take %lf mm", &step), 1)
+          << remedy;
+      EXPECT_LT(step, 2.0 * a.grid.step);
+      EXPECT_NO_THROW(simulate(grid_around(test::plane_z0(), a.places, 0.6, step))) << remedy;
+    }
+  }
+}
+
+// What every tooth pass takes is the same at any step, and no coarser one is proposed for it.
+TEST(TextureMarks, MemoryThatNoStepSparesAsksForASmallerWindow) {
   Array a;
-  a.options.marks.memory_limit = 1e4;
-  EXPECT_THROW(simulate_texture(a.motion, {a.path.tool, {}, {}}, a.grid, {}, a.options),
-               InputError);
+  const double passes = memory_needed(a.grid, 1000) - memory_needed(a.grid, 0);
+  EXPECT_NO_THROW(require_memory(a.grid, 100.0, passes, passes + 100.0));
+  try {
+    require_memory(a.grid, 100.0, passes, passes);
+    FAIL() << "more than the limit";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.remedy().find("mm or more"), std::string::npos) << error.remedy();
+  }
 }
 
 // A patch in a plane that is tilted against the texture plane: over its own plane the marks are level, and

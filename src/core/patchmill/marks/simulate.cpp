@@ -18,6 +18,8 @@
 namespace patchmill::marks {
 namespace {
 
+constexpr double kCoarser = 1.02;  // than would do, for the step is told with three digits
+
 struct TileGrid {
   int columns, rows;  // of tiles
   explicit TileGrid(const SurfaceGrid& grid)
@@ -71,15 +73,6 @@ void require_valid_job(const Cutter& cutter, const SurfaceGrid& grid, const Mark
   require_in_range("Stock", options.stock, -cutter.ball.radius, 0.999 * cutter.ball.radius, "mm");
 }
 
-void require_memory(double needed, double limit) {
-  if (needed > limit)
-    throw InputError(
-        "Memory", fmt::format("{:.3g} GB", needed * 1e-9),
-        fmt::format("the limit is {:.3g} GB; take a coarser grid, a smaller part of the "
-                    "surface, or bands.",
-                    limit * 1e-9));
-}
-
 /// Mills all tiles of a grid into `out`.
 void mill(const ToolMotion& motion, const Cutter& cutter, const std::vector<ToothPass>& passes,
           const MarkOptions& options, const Progress& progress, SimulatedRelief& out) {
@@ -128,6 +121,24 @@ std::vector<ToothPass> passes_of_rows(const std::vector<ToothPass>& passes, cons
 
 }  // namespace
 
+void require_memory(const SurfaceGrid& grid, double of_cells, double beside, double limit) {
+  const double needed = of_cells + beside;
+  if (needed <= limit) return;
+  const std::string what =
+      fmt::format("{:.3g} mm, which takes {:.3g} GB", grid.step, needed * 1e-9);
+  const double left = limit - beside;
+  if (!(left > 0.0))
+    throw InputError(
+        "GridStep", what,
+        fmt::format(
+            "the limit is {:.3g} GB, and {:.3g} GB are taken at any step: take a smaller window.",
+            limit * 1e-9, beside * 1e-9));
+  throw InputError(
+      "GridStep", what,
+      fmt::format("the limit is {:.3g} GB: take {:.3g} mm or more, or a smaller window.",
+                  limit * 1e-9, kCoarser * grid.step * std::sqrt(of_cells / left)));
+}
+
 double memory_needed(const SurfaceGrid& grid, std::int64_t passes) {
   const double per_cell = sizeof(float) + (grid.curved() ? sizeof(double) + sizeof(Vec3f) : 0.0);
   return per_cell * static_cast<double>(grid.cells()) +
@@ -138,9 +149,11 @@ SimulatedRelief simulate_marks(const ToolMotion& motion, const Cutter& cutter,
                                const SurfaceGrid& grid, const MarkOptions& options,
                                const Progress& progress) {
   require_valid_job(cutter, grid, options);
-  require_memory(memory_needed(grid, 0), options.memory_limit);
+  const double of_cells = memory_needed(grid, 0);
+  require_memory(grid, of_cells, 0.0, options.memory_limit);
   const std::vector<ToothPass> passes = find_passes(motion, cutter, grid, options.stock);
-  require_memory(memory_needed(grid, static_cast<std::int64_t>(passes.size())),
+  require_memory(grid, of_cells,
+                 memory_needed(grid, static_cast<std::int64_t>(passes.size())) - of_cells,
                  options.memory_limit);
   SimulatedRelief out = uncut(grid, options.stock);
   mill(motion, cutter, passes, options, progress, out);

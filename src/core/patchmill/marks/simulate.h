@@ -42,8 +42,12 @@ struct SimulatedRelief {
 /// Bytes that simulate_marks needs for a grid of so many cells and a path of so many passes.
 double memory_needed(const SurfaceGrid& grid, std::int64_t passes);
 
-/// Errors: InputError naming Stock (not finite, or not below the ball radius), Memory (over the
-/// limit), and those of require_valid(cutter) and require_valid(grid).
+/// Errors: InputError naming GridStep with a step that does, if `of_cells` bytes, which go with the number of a grid's
+/// cells, and `beside` bytes, which do not, are more than `limit`.
+void require_memory(const SurfaceGrid& grid, double of_cells, double beside, double limit);
+
+/// Errors: InputError naming Stock (not finite, or not below the ball radius), those of require_memory, of
+/// require_valid(cutter) and of require_valid(grid).
 SimulatedRelief simulate_marks(const ToolMotion& motion, const Cutter& cutter,
                                const SurfaceGrid& grid, const MarkOptions& options,
                                const Progress& progress = {});

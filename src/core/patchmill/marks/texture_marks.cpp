@@ -24,13 +24,6 @@ struct Band {
   int first, last, from, to;
 };
 
-void refuse_memory(double needed, double limit) {
-  if (needed <= limit) return;
-  throw InputError("Memory", fmt::format("{:.3g} GB", needed * 1e-9),
-                   fmt::format("the limit is {:.3g} GB; take a coarser grid or a smaller window.",
-                               limit * 1e-9));
-}
-
 std::vector<Band> bands_of(const SurfaceGrid& grid, const TextureMarkOptions& options) {
   const auto rows =
       static_cast<int>(std::clamp<std::int64_t>(options.band_cells / grid.columns, 1, grid.rows));
@@ -44,13 +37,16 @@ std::vector<Band> bands_of(const SurfaceGrid& grid, const TextureMarkOptions& op
   return bands;
 }
 
-void require_memory(const SurfaceGrid& grid, const std::vector<Band>& bands, double limit) {
+void require_memory_of(const SurfaceGrid& grid, const std::vector<Band>& bands, double limit) {
   int rows = 0;
   for (const Band& band : bands) rows = std::max(rows, band.last - band.first);
   // a band: its heights, its base, and what looking for dimples takes
-  const double needed = 4.0 * static_cast<double>(grid.cells()) +
-                        (4.0 + 20.0 + 20.0) * static_cast<double>(rows) * grid.columns;
-  refuse_memory(needed, limit);
+  const double heights = 4.0 * static_cast<double>(grid.cells());
+  const double band = (4.0 + 20.0 + 20.0) * static_cast<double>(rows) * grid.columns;
+  if (bands.size() > 1)  // of about so many cells, whatever the grid's
+    require_memory(grid, heights, band, limit);
+  else
+    require_memory(grid, heights + band, 0.0, limit);
 }
 
 /// Takes the band's own rows and dimples over.
@@ -111,10 +107,10 @@ TextureMarks simulate_texture(const ToolMotion& motion, const Cutter& cutter,
                               const TextureMarkOptions& options, const Progress& progress) {
   require_valid(flat);
   require_in_range("Halo", options.halo, 0.0, 1e6, "mm");
-  refuse_memory(4.0 * static_cast<double>(flat.cells()),
-                options.marks.memory_limit);  // before any list
+  require_memory(flat, 4.0 * static_cast<double>(flat.cells()), 0.0,
+                 options.marks.memory_limit);  // before any list
   const std::vector<Band> bands = bands_of(flat, options);
-  require_memory(flat, bands, options.marks.memory_limit);
+  require_memory_of(flat, bands, options.marks.memory_limit);
   TextureMarks out;
   out.grid = flat;
   out.stock = options.marks.stock;

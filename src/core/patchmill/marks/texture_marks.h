@@ -41,7 +41,7 @@ struct TextureMarks {
 };
 
 /// The relief and the dimples of a flat grid, or of what `base` makes of it. Errors: those of
-/// simulate_marks (Memory counts the heights that are kept and one band) and find_dimples; Halo.
+/// simulate_marks (memory is that of the heights that are kept and of one band) and find_dimples; Halo.
 TextureMarks simulate_texture(const ToolMotion& motion, const Cutter& cutter,
                               const SurfaceGrid& flat, const BaseMaker& base,
                               const TextureMarkOptions& options, const Progress& progress = {});
