@@ -17,12 +17,13 @@ import sys
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from harness import controller  # noqa: E402
+from harness import load  # noqa: E402
 from harness.case import Case, SPACING, run  # noqa: E402
 
 FACTOR = 1.5             # that prediction and log may differ by, either way
 RMS, LARGEST = 3.0, 9.0  # degrees: PhaseLimits of the core
 TOOTH = 11               # servo periods: a lock of fewer for a tooth is not said to hold
+AS_FORESEEN = 0.05       # degrees rms, at the dimples
 MISS = 2e-3              # mm: how near the path passes to every dimple
 LEANED = {'ax': 0.55, 'ay': 0.3, 'az': 0.8}
 WIDE = {'radius': 1.5, 'flutes': 3, 'rpm': 1200, 'spacing': 0.6, 'side': 9}
@@ -90,6 +91,11 @@ class Finding:
     def within(self, factor=FACTOR):
         return all(a <= factor * b and b <= factor * a for a, b in zip(self.log, self.predicted))
 
+    def logged_as(self, other):
+        """Whether the log of another run says the same, to a twentieth."""
+        return other is not None and all(
+            abs(a - b) <= 0.05 * b for a, b in zip(self.log, other.log))
+
     def held(self):
         return self.log[0] <= RMS and self.log[1] <= LARGEST
 
@@ -99,6 +105,19 @@ class Finding:
 
 
 def finding(case, logs=None, marks=False):
+    """What run_once says of a case. On a busy machine the queue of moves is filled too slowly: a log that is
+    not as foreseen is made again, slower, until one is, or two are alike. Raises load.Unknown if none are."""
+    before = None
+    for slower in load.SLOWER:
+        with load.attempting(load.Attempt(slower)):
+            found = run_once(case, logs, marks)
+        if found is None or found.apart <= AS_FORESEEN or found.logged_as(before):
+            return found
+        before = found
+    raise load.Unknown('no two logs of it are alike')
+
+
+def run_once(case, logs=None, marks=False):
     """Runs a case; None where there is no plan for it. `marks`: they are cut with the log, and looked for."""
     try:
         result = run(case, logs=logs, limit=300.0)
@@ -147,7 +166,7 @@ def main():
     for name, case in cases():
         try:
             found = finding(case, logs, marks)
-        except controller.TooFast as unknown:
+        except load.Unknown as unknown:
             print('%s: unknown: %s' % (name, unknown), file=sys.stderr)
             continue
         print(row(name, case, found), flush=True)

@@ -12,7 +12,7 @@ import tempfile
 
 import numpy
 
-from . import controller, cutting, phase
+from . import controller, cutting, load, phase
 
 FLUTES, RADIUS, SPACING, SENSE = 2, 1.0, 0.5, -1
 RIDGE = SPACING ** 2 / (4 * RADIUS)  # about the height of the peaks between dimples, mm
@@ -125,7 +125,9 @@ def logged(program, machine, logs, limit):
     if logs is None:
         return controller.run(program, machine, limit=limit)
     what = program.read_bytes() + repr(machine).encode()
-    kept = pathlib.Path(logs) / (hashlib.sha256(what).hexdigest() + '.npz')
+    slower = load.slower()
+    name = hashlib.sha256(what).hexdigest() + ('' if slower == 1 else '-%g' % slower)
+    kept = pathlib.Path(logs) / (name + '.npz')
     if kept.exists():
         with numpy.load(kept) as found:
             return controller.Log(found['time'], found['tip'], found['turns'], found['line'], 0, found['tip'])
