@@ -12,7 +12,13 @@ import driver
 import FreeCAD
 import FreeCADGui
 from patchmill_gui.forms import widgets
+from patchmill_gui.panels.texture_panel import TexturePanel
 from PySide import QtGui
+
+try:
+    import shiboken2 as shiboken
+except ImportError:
+    import shiboken6 as shiboken
 
 DELETED = "Internal C++ object (PySide2.QtWidgets.QAbstractSpinBox) already deleted."
 KINDS = ("TexturePanel", "CopyPanel", "DcmPanel", "PropertyForm", "Advising")
@@ -97,6 +103,43 @@ class ClosedPanels(driver.unittest.TestCase):
 
         self.assertRaises(RuntimeError, widgets.made_alive, fail)
         del widgets._taken[before:]
+
+    def test_a_part_that_python_takes_for_a_deleted_widget_is_found_wherever_it_is_named(self):
+        class Taken(QtGui.QSpinBox):
+            def metaObject(self):
+                return QtGui.QPushButton.staticMetaObject
+
+        form = QtGui.QWidget()
+        form.part, form.other = QtGui.QLineEdit(form), QtGui.QComboBox()
+        widgets.require_alive(form)
+        form.other = Taken()
+        self.assertRaisesRegex(RuntimeError, DELETED[-17:], widgets.require_alive, form)
+        form.other = QtGui.QComboBox()
+        part = form.part
+        form.part.setParent(None)
+        shiboken.delete(part)
+        self.assertRaisesRegex(RuntimeError, DELETED[-17:], widgets.require_alive, form)
+
+    def test_a_panel_that_cannot_be_shown_is_told_of_no_selection(self):
+        operation, panel = driver.begin_texture(self.part)
+        driver.accept(panel)
+        del panel
+        told = []
+
+        class Refused(TexturePanel):
+            def setupUi(self):
+                raise RuntimeError("refused")
+
+            def updateSelection(self):
+                told.append(1)
+
+        view = operation.ViewObject.Proxy
+        view.make_panel = lambda obj, page: Refused(obj, False, page, view.getSelectionFactory())
+        self.assertRaisesRegex(RuntimeError, "refused", view.setEdit)
+        del view.make_panel
+        FreeCADGui.Control.closeDialog()
+        driver.select(self.part, "Face1")
+        self.assertEqual(told, [])
 
     def test_of_a_texture_whose_document_is_closed(self):
         driver.begin_texture(self.part)

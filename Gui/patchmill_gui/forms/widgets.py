@@ -44,6 +44,18 @@ def forget_closed_panels():
     gc.collect()
 
 
+def require_alive(widget):
+    """Raises a RuntimeError if PySide takes a widget, or a part of it, for a deleted one, maybe of another
+    class: also one that an attribute of `widget` names, as FreeCAD's forms do with all their parts."""
+    named = [part for part in vars(widget).values() if isinstance(part, QtCore.QObject)]
+    for each in [widget, *named, *widget.findChildren(QtCore.QObject)]:
+        wanted, meta = type(each).__name__, each.metaObject()
+        while meta is not None and meta.className() != wanted:
+            meta = meta.superClass()
+        if meta is None:
+            raise RuntimeError("%s: a %s that was %s" % (each.metaObject().className(), wanted, DELETED))
+
+
 def living(make):
     """A widget by `make()` that Python can use, with its parts. Where forget_closed_panels() is not enough,
     PySide takes the new widget for the deleted one of its address: that address is then left taken, and
@@ -51,8 +63,7 @@ def living(make):
     for _ in range(MOST_TAKEN):
         widget = make()
         try:
-            for each in [widget] + widget.findChildren(QtCore.QObject):
-                each.objectName()
+            require_alive(widget)
         except RuntimeError:
             _taken.append(widget)
             continue

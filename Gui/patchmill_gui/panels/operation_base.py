@@ -13,7 +13,14 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.resources import native
-from patchmill_gui.forms.widgets import forget_closed_panels, guard_editors, let_shrink, made_alive, translate
+from patchmill_gui.forms.widgets import (
+    forget_closed_panels,
+    guard_editors,
+    let_shrink,
+    made_alive,
+    require_alive,
+    translate,
+)
 from patchmill_gui.work.room import make_room_soon
 
 
@@ -58,6 +65,7 @@ class OperationView(NativeView):
             self.setupTaskPanel(panel)
         except Exception:
             panel.stop()  # it is not shown: what it has begun would go on without it
+            FreeCADGui.Selection.removeObserver(panel)
             raise
         return True
 
