@@ -8,6 +8,7 @@ import driver
 import FreeCAD
 import FreeCADGui
 import hands
+from patchmill.operations import curved_texture, quick_setup
 from patchmill_gui.forms import post_dialog
 from patchmill_gui.panels.texture_head import Head
 from PySide import QtGui
@@ -69,6 +70,16 @@ class Leaving(driver.BlockTest):
         page.pageGetFields()
         page.resetToolController(None, controller)
         self.assertFalse(self.panel.place_timer.isActive() or self.panel.plan_timer.isActive())
+
+    def test_a_tool_controller_that_another_job_gets_is_not_taken(self):
+        own, page = self.operation.ToolController, self.panel.page
+        other, part = driver.new_document(driver.wavy_block(12.0, 8.0), "Other")
+        self.addCleanup(FreeCAD.closeDocument, other.Name)
+        texture = quick_setup.texture(
+            curved_texture, "CurvedTexture", part, [driver.top_face(part.Shape)]
+        )
+        page.resetToolController(texture.Proxy.getJob(texture), texture.ToolController)
+        self.assertIs(self.operation.ToolController, own)
 
     def test_what_the_post_window_is_about_takes_it_along(self):
         """Undo takes the job back, with which the command made the texture; or the document is closed."""

@@ -73,7 +73,10 @@ class OperationView(NativeView):
         page = self.getTaskPanelOpPage(obj)
         page.setTitle(self.OpName)
         page.setIcon(self.OpIcon)
-        return self.make_panel(obj, page)
+        panel = self.make_panel(obj, page)
+        for each in panel.featurePages:  # also FreeCAD's own
+            require_alive(each.form)
+        return panel
 
     def unsetEdit(self, vobj=None, mode=0):
         """Something else is edited, or the object goes: unlike FreeCAD's own, what was made for the panel
@@ -223,8 +226,8 @@ class OperationPage(NativePage):
             super().pageGetFields()
 
     def resetToolController(self, job, tc):
-        """FreeCAD tells all pages that are left of tool controllers that were edited."""
-        if _is_there(self.obj):
+        """FreeCAD tells all pages that are left of what any job has got, also of another document."""
+        if _is_there(self.obj) and tc in host.PathUtils.getToolControllers(self.obj):
             super().resetToolController(job, tc)
 
     def getFields(self, obj):
