@@ -113,9 +113,14 @@ def show(widget):
         _kept.append(area)
         if isinstance(area, QtGui.QScrollArea):
             area.ensureWidgetVisible(widget)
-            driver.rest(0.05)
+            driver.rest(SETTLE)
         area = area.parentWidget()
     driver.rest(SETTLE)
+
+
+def forget():
+    """Lets go of the parents of what was shown, when it is closed: they would be taken for new widgets."""
+    _kept.clear()
 
 
 def choose(box, text):

@@ -1,5 +1,6 @@
 """Random actions of a user, by the X server's own events: clicks, texts, wheel, undo, other documents,
-preferences, closing. No traceback, no lost document, and the program lives:
+preferences, closing, editing again. No traceback, no lost document, and the program lives. An action counts
+if it found what it is done to:
 
     tests/gui/run_gui tests/gui/soak.py                  # 200 actions
     PATCHMILL_GUI_SECONDS=40000 tests/gui/run_gui tests/gui/soak.py 10000 7     # from another seed
@@ -12,15 +13,19 @@ import random
 import re
 import sys
 import tempfile
+import time
 import traceback
 
 import driver
 import FreeCAD
 import FreeCADGui
 import hands
-from PySide import QtGui
+from patchmill_gui.app import tool_paths
+from PySide import QtCore, QtGui
 
 ACTIONS, SEED, MOST_DOCUMENTS = 200, 20160105, 3
+LOOK_EVERY = 100  # actions, into FreeCAD's report
+QUICK = 0.01  # seconds that a hand takes between two actions here
 TEXTS = ("0.3", "0,7 mm", "-1", "abc", "1e9", "", "2*0.4", "12", "45 °", "0")
 COMMANDS = (
     "PatchMill_PlanarTexture",
@@ -33,7 +38,9 @@ COMMANDS = (
     "PatchMill_Simulate",
     "PatchMill_Check",
     "PatchMill_Post",
+    "PatchMill_Machines",
 )
+PLACES = ("Combo View", "PostDialog", "MachineEditor")  # of what can be pressed
 VIEW = "User parameter:BaseApp/Preferences/View"
 
 
@@ -48,12 +55,23 @@ def tracebacks(text):
     until the event loop's next turn meets objects that Undo took away meanwhile."""
     blocks = re.findall(r"Traceback .*\n(?:[ \t]+.*\n)+.*", text)
     passing = [block for block in blocks if "patchmill" in block.lower()]
-    say("%d tracebacks of FreeCAD's own" % (len(blocks) - len(passing)))
+    if len(blocks) > len(passing):
+        say("%d tracebacks of FreeCAD's own" % (len(blocks) - len(passing)))
     return [block for block in passing if "InputError" not in block]
 
 
+def reported():
+    """Tracebacks in FreeCAD's report since the last look."""
+    views = FreeCADGui.getMainWindow().findChildren(QtGui.QTextEdit, "Report view")
+    found = [error for view in views for error in tracebacks(view.toPlainText())]
+    for view in views:
+        view.clear()
+    return found
+
+
 class Soak:
-    """`chance`: a random.Random. `told`: tracebacks."""
+    """`chance`: a random.Random. `told`: tracebacks. An action returns False where there is nothing that it
+    could be done to."""
 
     def __init__(self, chance):
         self.chance = chance
@@ -66,7 +84,7 @@ class Soak:
         """What can be pressed in the task panel and in windows of ours, in the order in which Qt has it."""
         window = FreeCADGui.getMainWindow()
         places = window.findChildren(QtGui.QDockWidget) + window.findChildren(QtGui.QDialog)
-        places = [p for p in places if p.isVisible() and p.objectName() in ("Combo View", "PostDialog")]
+        places = [p for p in places if p.isVisible() and p.objectName() in PLACES]
         found = [w for place in places for kind in kinds for w in place.findChildren(kind)]
         return [w for w in found if w.isVisible() and w.isEnabled() and w.height() > 4]
 
@@ -85,92 +103,161 @@ class Soak:
 
     def open_document(self):
         shut = [f for f in self.files if f not in self.documents.values()]
-        if shut:
-            self.documents[FreeCAD.openDocument(shut[0]).Name] = shut[0]
+        if not shut:
+            return False
+        self.documents[FreeCAD.openDocument(shut[0]).Name] = shut[0]
+        return True
 
     def close_document(self):
-        if len(self.documents) == MOST_DOCUMENTS:
-            name = self.chance.choice(sorted(self.documents))
-            del self.documents[name]
-            FreeCAD.closeDocument(name)
+        if len(self.documents) < MOST_DOCUMENTS:
+            return False
+        name = self.chance.choice(sorted(self.documents))
+        del self.documents[name]
+        FreeCAD.closeDocument(name)
+        return True
 
     def switch_document(self):
         area = FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea)
         windows = area.subWindowList()
-        if windows:
-            area.setActiveSubWindow(self.chance.choice(windows))
+        if len(windows) < 2:
+            return False
+        area.setActiveSubWindow(self.chance.choice(windows))
+        return True
 
     def command(self):
+        """On the part's top face, or on an operation."""
         document = FreeCAD.ActiveDocument
+        found = [o for o in document.Objects if tool_paths.is_ours(o)] if document else []
         part = document.getObject("Part") if document else None
-        if part is not None:
+        if found and self.chance.random() < 0.5:
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelection(self.chance.choice(found))
+        elif part is not None:
             driver.select(part, driver.top_face(part.Shape))
-        FreeCADGui.runCommand(self.chance.choice(COMMANDS))
+        active = [name for name in COMMANDS if FreeCADGui.Command.get(name).isActive()]
+        if not active:
+            return False
+        FreeCADGui.runCommand(self.chance.choice(active))
+        return True
+
+    def edit(self):
+        """As a double click on an operation in the tree."""
+        document = FreeCAD.ActiveDocument
+        found = [o for o in document.Objects if tool_paths.is_ours(o)] if document else []
+        if not found:
+            return False
+        view = self.chance.choice(found).ViewObject
+        view.Document.setEdit(view, 0)
+        return True
+
+    def delete(self):
+        """By the command, of an operation."""
+        document = FreeCAD.ActiveDocument
+        found = [o for o in document.Objects if tool_paths.is_ours(o)] if document else []
+        if not found or FreeCADGui.Control.activeDialog():
+            return False
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(self.chance.choice(found))
+        FreeCADGui.runCommand("Std_Delete")
+        return True
 
     def press_button(self):
-        button = self.any_of(QtGui.QPushButton, QtGui.QCheckBox, QtGui.QToolButton)
-        if button is not None and not self.ends_panel(button):
-            hands.show(button)
-            self.tap(button)
-
-    def ends_panel(self, button):
-        return any(button in box.buttons() for box in self.widgets(QtGui.QDialogButtonBox))
+        kinds = (QtGui.QPushButton, QtGui.QCheckBox, QtGui.QToolButton)
+        ends = [b for box in self.widgets(QtGui.QDialogButtonBox) for b in box.buttons()]
+        found = [b for b in self.widgets(*kinds) if b not in ends]
+        if not found:
+            return False
+        button = self.chance.choice(found)
+        hands.show(button)
+        return self.tap(button)
 
     def end_panel(self):
         boxes = self.widgets(QtGui.QDialogButtonBox)
-        if boxes:
-            self.tap(self.chance.choice(boxes[0].buttons()))
+        return bool(boxes) and self.tap(self.chance.choice(boxes[0].buttons()))
 
     def type_text(self):
         field = self.any_of(QtGui.QAbstractSpinBox, QtGui.QLineEdit)
-        if field is not None:
-            hands.show(field)
-            self.tap(field, "key", "ctrl+a", "type", "--delay", 5, "--", self.chance.choice(TEXTS))
-            hands.act("key", self.chance.choice(("Return", "Tab")))
+        if field is None:
+            return False
+        hands.show(field)
+        typed = ["key", "ctrl+a", "type", "--delay", 5, "--", self.chance.choice(TEXTS)]
+        if not self.tap(field, *typed):
+            return False
+        hands.act("key", self.chance.choice(("Return", "Tab")))
+        return True
 
     def choose_entry(self):
         box = self.any_of(QtGui.QComboBox)
-        if box is not None:
-            hands.show(box)
-            self.tap(box)
-            hands.act("key", "--delay", 20, *["Down"] * self.chance.randrange(1, 4), "Return")
+        if box is None:
+            return False
+        hands.show(box)
+        if not self.tap(box):
+            return False
+        hands.act("key", "--delay", 20, *["Down"] * self.chance.randrange(1, 4), "Return")
+        return True
 
     def turn_wheel(self):
         widget = self.any_of(QtGui.QAbstractSpinBox, QtGui.QComboBox, QtGui.QLabel)
-        if widget is not None and self.seen(widget):
-            turn = self.chance.choice((4, 5))
-            hands.act("mousemove", *hands.place_of(widget), "click", "--repeat", 3, turn)
+        if widget is None or not self.seen(widget):
+            return False
+        turn = self.chance.choice((4, 5))
+        hands.act("mousemove", *hands.place_of(widget), "click", "--repeat", 3, turn)
+        return True
+
+    def click_view(self):
+        """On a point of the 3-D view: selects a face, a dimple's operation, or nothing."""
+        window = FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea).currentSubWindow()
+        if window is None:
+            return False
+        sides = (window.width(), window.height())
+        width, height = (int(self.chance.uniform(0.3, 0.7) * side) for side in sides)
+        at = QtCore.QPoint(width, height)
+        hands.act("mousemove", *hands.place_of(window, at), "click", 1)
+        return True
 
     def tap(self, widget, *more):
-        """A quick click, and what xdotool is to do next."""
-        if self.seen(widget):
-            hands.act("mousemove", *hands.place_of(widget), "click", 1, *more)
+        """A quick click, and what xdotool is to do next. Returns whether the widget can be touched."""
+        if not self.seen(widget):
+            return False
+        hands.act("mousemove", *hands.place_of(widget), "click", 1, *more)
+        return True
 
     seen = staticmethod(hands.on_top)
 
     def undo(self):
         FreeCADGui.runCommand(self.chance.choice(("Std_Undo", "Std_Undo", "Std_Redo")))
+        return True
 
     def preference(self):
         group = FreeCAD.ParamGet(VIEW)
         name = self.chance.choice(("EnablePreselection", "EnableSelection", "UseAutoRotation"))
         group.SetBool(name, not group.GetBool(name, True))
         FreeCAD.Units.setSchema(self.chance.choice((0, 3)))
+        return True
 
     def step(self):
+        """One action that finds what it is done to."""
         weights = {
             self.press_button: 6, self.type_text: 5, self.choose_entry: 4, self.turn_wheel: 3,
-            self.command: 4, self.end_panel: 3, self.undo: 2, self.preference: 1,
-            self.switch_document: 1, self.open_document: 1, self.close_document: 1,
+            self.command: 4, self.edit: 2, self.end_panel: 3, self.undo: 2, self.delete: 0.5,
+            self.preference: 1, self.click_view: 1, self.switch_document: 1, self.open_document: 1,
+            self.close_document: 1,
         }  # fmt: skip
-        (action,) = self.chance.choices(list(weights), list(weights.values()))
+        if not driver.panel_open():
+            hands.forget()
+        done = False
+        while not done:
+            (action,) = self.chance.choices(list(weights), list(weights.values()))
+            say("%d %s" % (len(self.done) + 1, action.__name__))
+            try:
+                done = action()
+            except (AssertionError, RuntimeError) as error:  # what was to be pressed is gone meanwhile
+                say("   gave up: %s" % str(error)[:100])
+                driver.rest(0.0)
+            if self.trouble():
+                break
         self.done.append(action.__name__)
-        say("%d %s" % (len(self.done), action.__name__))
-        try:
-            action()
-        except (AssertionError, RuntimeError) as error:  # what was to be pressed is gone meanwhile
-            say("   gave up: %s" % str(error)[:100])
-        driver.rest(self.chance.choice((0.0, 0.02, 0.2)))
+        driver.rest(self.chance.choice((0.0, 0.0, 0.02, 0.1)))
 
     def trouble(self):
         """What is wrong now, a sentence, or ''."""
@@ -180,24 +267,30 @@ class Soak:
         lost += [n for n in self.documents if n not in lost and not FreeCAD.getDocument(n).getObject("Part")]
         return "lost: %s" % lost if lost else ""
 
+    def run(self, count):
+        """So many actions, or until one is found that should not be; what was wrong, or ''."""
+        began = time.monotonic()
+        while len(self.done) < count:
+            self.step()
+            wrong = self.trouble()
+            if len(self.done) % LOOK_EVERY == 0 or len(self.done) == count:
+                say("%d actions in %.0f s" % (len(self.done), time.monotonic() - began))
+                wrong = wrong or "\n".join(reported())
+            if wrong:
+                return "after %d actions, the last %s:\n%s" % (len(self.done), self.done[-5:], wrong)
+        return ""
+
 
 def main():
     count, seed = (int(v) for v in (sys.argv[1:] + [ACTIONS, SEED][len(sys.argv) - 1 :])[:2])
     FreeCADGui.activateWorkbench("PatchMillWorkbench")
+    hands.SETTLE = QUICK
     soak = Soak(random.Random(seed))
     folder = tempfile.mkdtemp()
     os.chdir(folder)  # a name that is typed into a file window is a file there
     soak.save_documents(folder)
     soak.open_document()
-    for _ in range(count):
-        soak.step()
-        if trouble := soak.trouble():
-            last = soak.done[-5:]
-            say("after %d actions, the last %s:\n%s" % (len(soak.done), last, trouble))
-            return 1
-    reports = FreeCADGui.getMainWindow().findChildren(QtGui.QTextEdit, "Report view")
-    told = [error for view in reports for error in tracebacks(view.toPlainText())]
-    for text in told:
-        say(text[:3000])
-    say("%d actions, seed %d: %s" % (count, seed, "tracebacks" if told else "nothing found"))
-    return 1 if told else 0
+    say("seed %d" % seed)
+    wrong = soak.run(count)
+    say("%d actions, seed %d: %s" % (len(soak.done), seed, wrong[:3000] or "nothing found"))
+    return 1 if wrong else 0

@@ -38,6 +38,7 @@ class MachineEditor(QtGui.QDialog):
     def __init__(self, key=None, parent=None):
         super().__init__(parent or FreeCADGui.getMainWindow())
         self.setWindowTitle(translate("PatchMill", "Machines"))
+        self.setObjectName("MachineEditor")
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.resize(620, 720)
         self.data = self.key = None
