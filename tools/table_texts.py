@@ -43,6 +43,11 @@ SIMULATED = (  # the names in SimulatedTexture.rows
     "distance to the nearest, mean",
     "array",
     "quality, 0 to 1",
+    "part that is milled, seen from above",  # and in MilledSurface.rows
+    "left over the part, mean",
+    "left over the part, at most",
+    "cut below the part, at most",
+    "grid",
 )
 ARRAYS = ("square", "staggered", "oblique", "irregular")
 HEAD = """// Texts that are shown from tables: made by tools/table_texts.py for lupdate, read by nobody else.
