@@ -10,7 +10,6 @@ import driver
 from PySide import QtCore, QtGui
 
 SETTLE = 0.05  # seconds that a hand takes between two actions
-_kept: list = []  # PySide takes a widget for deleted when the last name of its parent goes
 
 
 def act(*arguments):
@@ -106,21 +105,17 @@ def enter(field, text, end="Return", pause=40):
 
 
 def show(widget):
-    """Scrolls until a widget is seen."""
+    """Scrolls until a widget is seen, in all areas around it from within. They are not found by parentWidget:
+    what that gave would have to be kept, and be taken for new widgets once it is deleted."""
     driver.rest(SETTLE)
-    area = widget.parentWidget()
-    while area is not None:
-        _kept.append(area)
-        if isinstance(area, QtGui.QScrollArea):
-            area.ensureWidgetVisible(widget)
-            driver.rest(SETTLE)
-        area = area.parentWidget()
+    tops = QtGui.QApplication.topLevelWidgets()
+    areas = [area for top in tops for area in top.findChildren(QtGui.QScrollArea)]
+    around = [area for area in areas if area.isAncestorOf(widget)]
+    around.sort(key=lambda area: sum(other.isAncestorOf(area) for other in around), reverse=True)
+    for area in around:
+        area.ensureWidgetVisible(widget)
+        driver.rest(SETTLE)
     driver.rest(SETTLE)
-
-
-def forget():
-    """Lets go of the parents of what was shown, when it is closed: they would be taken for new widgets."""
-    _kept.clear()
 
 
 def choose(box, text):

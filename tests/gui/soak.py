@@ -243,8 +243,6 @@ class Soak:
             self.preference: 1, self.click_view: 1, self.switch_document: 1, self.open_document: 1,
             self.close_document: 1,
         }  # fmt: skip
-        if not driver.panel_open():
-            hands.forget()
         done = False
         while not done:
             (action,) = self.chance.choices(list(weights), list(weights.values()))

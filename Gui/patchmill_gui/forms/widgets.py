@@ -49,11 +49,21 @@ def require_alive(widget):
     class: also one that an attribute of `widget` names, as FreeCAD's forms do with all their parts."""
     named = [part for part in vars(widget).values() if isinstance(part, QtCore.QObject)]
     for each in [widget, *named, *widget.findChildren(QtCore.QObject)]:
-        wanted, meta = type(each).__name__, each.metaObject()
-        while meta is not None and meta.className() != wanted:
-            meta = meta.superClass()
-        if meta is None:
-            raise RuntimeError("%s: a %s that was %s" % (each.metaObject().className(), wanted, DELETED))
+        try:
+            names = _class_names(each.metaObject())
+        except AttributeError:  # the class itself is taken for a deleted widget
+            names = []
+        if type(each).__name__ not in names:
+            raise RuntimeError("%r: taken for one that is %s" % (each, DELETED))
+
+
+def _class_names(meta):
+    """Of a QMetaObject's class and of all that it is derived from."""
+    names = []
+    while meta is not None:
+        names.append(meta.className())
+        meta = meta.superClass()
+    return names
 
 
 def living(make):
