@@ -2,18 +2,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/tessellate.h"
 
+#include "brep/mesher.h"
 #include "patchmill/geometry/error.h"
-#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include <BRepMesh_IncrementalMesh.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <IMeshTools_Parameters.hxx>
-#include <Message_ProgressIndicator.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <Standard_Failure.hxx>
@@ -25,12 +21,13 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <fmt/format.h>
-#include <tbb/task.h>
 
 namespace patchmill {
 namespace {
 
 using Index = std::int32_t;
+
+constexpr double kFinest = 1e-5;  // mm; below 1e-7 OpenCASCADE makes nothing
 
 /// Sets of nodes that are one vertex; the lowest number stands for a set.
 class Merger {
@@ -58,16 +55,6 @@ struct MeshedFace {
   Handle(Poly_Triangulation) triangles;
   TopLoc_Location location;
   Index first = 0;  ///< node 1 of the face has this number
-};
-
-/// Tells the mesher to stop when the work that it is part of is to: its own threads do not know what they are part of.
-class StopOfMesher : public Message_ProgressIndicator {
- public:
-  Standard_Boolean UserBreak() override { return work_ && work_->is_group_execution_cancelled(); }
-  void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
-
- private:
-  tbb::task_group_context* work_ = tbb::task::current_context();
 };
 
 /// Gathers the faces' nodes and makes those one that the topology says are one.
@@ -168,9 +155,9 @@ class Assembly {
 };
 
 void require_valid(const TessellationOptions& options) {
-  if (!(options.deflection > 0.0) || !std::isfinite(options.deflection))
+  if (!(options.deflection >= kFinest) || !std::isfinite(options.deflection))
     throw InputError("Deflection", fmt::format("{} mm", options.deflection),
-                     "give a value greater than zero.");
+                     fmt::format("give {} mm or more.", kFinest));
   const double degrees = options.angle.degrees();
   if (!(degrees > 0.0 && degrees <= 90.0))
     throw InputError("DeflectionAngle", fmt::format("{} degrees", degrees),
@@ -202,17 +189,7 @@ Tessellation tessellate(const TopoDS_Shape& shape, const TessellationOptions& op
   Assembly assembly;
   Index faces = 0;
   try {
-    BRepTools::Clean(shape);
-    IMeshTools_Parameters parameters;
-    parameters.Deflection = options.deflection;
-    parameters.Angle = options.angle.radians();
-    parameters.InParallel = true;
-    BRepMesh_IncrementalMesh mesher;
-    mesher.SetShape(shape);
-    mesher.ChangeParameters() = parameters;
-    const Handle(StopOfMesher) stop = new StopOfMesher;
-    mesher.Perform(stop->Start());
-    stop_point();
+    mesh_faces(shape, options.deflection, options.angle, options.most_triangles);
     for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
       assembly.add(TopoDS::Face(e.Current()), faces++);
   } catch (const Standard_Failure& error) {

@@ -17,6 +17,7 @@ struct TessellationOptions {
   /// miss it by a factor of two.
   double deflection = 0.01;
   Angle angle = Angle::degrees(20);  ///< between neighbouring triangles of one face
+  double most_triangles = 2e6;  ///< about so many are made at most, which takes a minute or two
 };
 
 struct Tessellation {
@@ -32,7 +33,8 @@ struct Tessellation {
 
 /// Meshes all faces of a shape; what is not a closed solid is told by `closed` and `reason`, not by an
 /// error. The shape's own triangulation is replaced. The same shape gives the same mesh. Errors:
-/// InputError naming Deflection (not positive) or DeflectionAngle (0 to 90 degrees).
+/// InputError naming Deflection (less than 10 nm, or so fine that it makes too many triangles) or
+/// DeflectionAngle (0 to 90 degrees).
 Tessellation tessellate(const TopoDS_Shape& shape, const TessellationOptions& options = {});
 
 }  // namespace patchmill

@@ -6,6 +6,8 @@
 #include "faces.h"
 #include "patchmill/geometry/error.h"
 
+#include <cstdio>
+
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -43,6 +45,46 @@ TEST(Tessellate, SolidsOfKnownVolumeAreClosed) {
   expect_solid(BRepPrimAPI_MakeCone(1.0, 0.0, 2.0).Solid(), 2.0 / 3.0 * kPi,
                kPi * (1.0 + std::sqrt(5.0)));
   expect_solid(BRepPrimAPI_MakeTorus(3.0, 1.0).Solid(), 6.0 * kPi * kPi, 12.0 * kPi * kPi);
+}
+
+// A sphere of 10 mm within 10 nm would be about 10 million triangles: it is refused after two coarse meshes, and
+// what the refusal says does, without being much coarser than need be.
+TEST(Tessellate, MoreTrianglesThanThereIsRoomForAreRefusedBeforeTheyAreMade) {
+  const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(10.0).Solid();
+  TessellationOptions options = within(1e-5);
+  options.most_triangles = 2e4;
+  try {
+    tessellate(sphere, options);
+    FAIL() << "more than there is room for";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.property(), "Deflection");
+    double foreseen = 0.0, enough = 0.0;
+    ASSERT_EQ(std::sscanf(error.value().c_str(), "%*g mm, about %lf million", &foreseen), 1);
+    EXPECT_GT(foreseen, 5.0);
+    EXPECT_LT(foreseen, 20.0);
+    const std::string& remedy = error.remedy();
+    ASSERT_EQ(std::sscanf(remedy.c_str() + remedy.find("give "), "give %lf mm", &enough), 1)
+        << remedy;
+    options.deflection = enough;
+    const std::size_t made = tessellate(sphere, options).mesh.triangles.size();
+    EXPECT_LT(made, 20000U);
+    EXPECT_GT(made, 5000U);
+  }
+}
+
+TEST(Tessellate, FineDeflectionsAreTakenWhereTheyMakeFewTriangles) {
+  const Tessellation box = tessellate(BRepPrimAPI_MakeBox(2.0, 3.0, 4.0).Solid(), within(1e-5));
+  EXPECT_EQ(box.mesh.triangles.size(), 12U);
+  TessellationOptions options = within(2e-5);
+  options.most_triangles = 2e4;
+  EXPECT_TRUE(tessellate(BRepPrimAPI_MakeCylinder(1.0, 3.0).Solid(), options).closed);
+}
+
+// OpenCASCADE makes nothing of less than 1e-7 mm, and says nothing.
+TEST(Tessellate, ADeflectionThatTheMesherDoesNotTakeIsRefused) {
+  for (const double deflection : {0.0, 1e-9, 0.99e-5, std::nan("")})
+    EXPECT_THROW(tessellate(BRepPrimAPI_MakeBox(2.0, 3.0, 4.0).Solid(), within(deflection)),
+                 InputError);
 }
 
 // The top of a prism is its base moved: the same edges in another place.

@@ -4,8 +4,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import pathlib
+import re
 import resource
 import sys
+import types
 import unittest
 from unittest import mock
 
@@ -13,12 +15,49 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 import _patchmill as core  # noqa: E402
 import FreeCAD  # noqa: E402
+import Part  # noqa: E402
 import patchmill  # noqa: E402
 from parts import WithDocuments, job_on, tilted_box  # noqa: E402
 from patchmill import InputError, posting  # noqa: E402
+from patchmill.collision import clearance_check  # noqa: E402
+from patchmill.operations import copy_milling  # noqa: E402
 from patchmill.posting import requirements  # noqa: E402
 from patchmill.system import memory  # noqa: E402
 from patchmill.textures import division, plan  # noqa: E402
+from patchmill.voxels import removal_model  # noqa: E402
+
+
+SPHERE = 20.0  # mm, radius
+
+
+class FineMeshes(unittest.TestCase):
+    """A tolerance whose mesh would be too large is named with one that does, whoever meshes."""
+
+    def refused(self, name, call):
+        """The value that the refusal of call() asks for, in mm."""
+        with self.assertRaises(InputError) as caught:
+            call()
+        self.assertEqual(caught.exception.property, name)
+        self.assertRegex(caught.exception.value, r"0\.0001 mm, about [\d.]+ million triangles")
+        return float(re.search(r"give ([\d.]+) mm or more", caught.exception.remedy).group(1))
+
+    def test_the_value_that_a_deflection_comes_from_is_named(self):
+        ball = Part.makeSphere(SPHERE).exportBrepToString()
+        box = Part.makeBox(*3 * (3 * SPHERE,), FreeCAD.Vector(*3 * (-1.5 * SPHERE,))).exportBrepToString()
+        copied = types.SimpleNamespace(mode="Lines", tolerance=1e-4, stock=box, model=ball, faces=None)
+        checked = clearance_check.CheckInput(object(), [ball], 1e-4, 0.0)
+        model = removal_model.ModelInput(box, ball, 1.0, 1e-4, 4096.0, False)
+        for name, share, call in (
+            ("Tolerance", 0.25, lambda: copy_milling.solids(copied)),
+            ("GougeTolerance", 0.125, lambda: clearance_check.run_check(checked)),
+            ("Deflection", 1.0, lambda: removal_model.make(model)),
+        ):
+            with self.subTest(name):
+                # triangles of a ball go with 1 / deflection: there are to be two million of them
+                enough = share * self.refused(name, call)
+                triangles = len(core.tessellate(ball, 0.01).triangles) * 0.01 / enough
+                self.assertLess(triangles, 2e6)
+                self.assertGreater(triangles, 1.2e6)
 
 
 class Memory(WithDocuments):

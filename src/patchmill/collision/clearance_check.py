@@ -10,10 +10,12 @@ from dataclasses import dataclass, field
 import _patchmill as core
 import numpy as np
 
+from patchmill.geometry.deflection import told_of
 from patchmill.system.stops import stoppable
 
 CLEAR, VIOLATED, UNKNOWN = "clear", "violated", "unknown"
 MOST_FINDINGS = 1000
+DEFLECTION = 0.125  # of the tolerance: of the mesh that stands for the part
 
 
 @dataclass
@@ -113,7 +115,8 @@ def _run_check(given, path, first_move, progress):
     path = path or given.path
     if path is None:
         return CheckResult(UNKNOWN, given.reason)
-    part = core.part_model(given.breps, tolerance / 8.0)
+    with told_of("GougeTolerance", DEFLECTION):
+        part = core.part_model(given.breps, DEFLECTION * tolerance)
     sink = _planned_sink(given, part) if part.known else 0.0
     found = core.check_clearance(
         path,

@@ -17,6 +17,7 @@ import FreeCAD
 from _patchmill import InputError
 
 from patchmill.freecad import host, kinds
+from patchmill.geometry.deflection import told_of
 from patchmill.machine import machining_time
 from patchmill.operations.base import BallEndOperation, create, setup_properties
 from patchmill.operations.computed import recompute  # noqa: F401  for macros: it returns the ToolPath
@@ -30,6 +31,7 @@ from patchmill.system.stops import stoppable
 BYTES_PER_MOVE = 2200  # with its command in the document: measured by tests/bench/jobs_memory_bench.py
 LEAST_HEIGHT = 1e-3  # mm of stock that is looked at, over a face at its top
 NOTHING_THERE = "there is nothing to cut on them, or the ball does not reach them from above."
+DEFLECTION = 0.25  # of the tolerance: of the mesh that stands for the model
 OVERLAP = 0.87  # of the corner's radius that lines go beyond the stock: slopes up to 60 degrees are finished
 PROPERTIES = [
     ("App::PropertyEnumeration", "Mode", "Copy", "Lines in planes along X, or contours at levels", MODES),
@@ -236,7 +238,11 @@ def _options(given, low, high, radial, axial, allowance):
 
 def solids(given):
     """(stock, part, faces) of a CopyInput as _patchmill.Solid; faces: those chosen, or None."""
-    deflection = 0.25 * given.tolerance
+    with told_of("Tolerance", DEFLECTION):
+        return _solids(given, DEFLECTION * given.tolerance)
+
+
+def _solids(given, deflection):
     stock = core.solid_of_brep(given.stock, max(deflection, 0.01), "Stock")
     undercut = given.mode == UNDERCUTS
     if given.faces and undercut:
