@@ -1901,10 +1901,6 @@ Spindel {:.0f}°</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>height over the faces [µm]</source>
-        <translation>Höhe über den Flächen [µm]</translation>
-    </message>
-    <message>
         <source>Height map</source>
         <translation>Höhenkarte</translation>
     </message>
@@ -2135,6 +2131,206 @@ Spindel {:.0f}°</translation>
     <message>
         <source>The faces are about {} wide: {:.0f} dimples side by side are too few.</source>
         <translation>Die Flächen sind etwa {} breit: {:.0f} Mulden nebeneinander sind zu wenige.</translation>
+    </message>
+    <message>
+        <source>give a finite number.</source>
+        <translation>Eine endliche Zahl angeben.</translation>
+    </message>
+    <message>
+        <source>give a value greater than zero.</source>
+        <translation>Einen Wert größer als null angeben.</translation>
+    </message>
+    <message>
+        <source>give a finite value greater than zero.</source>
+        <translation>Einen endlichen Wert größer als null angeben.</translation>
+    </message>
+    <message>
+        <source>give a value from {} to {} mm.</source>
+        <translation>Einen Wert von {} bis {} mm angeben.</translation>
+    </message>
+    <message>
+        <source>give a value from {} to {} degrees.</source>
+        <translation>Einen Wert von {} bis {} Grad angeben.</translation>
+    </message>
+    <message>
+        <source>give more than zero.</source>
+        <translation>Mehr als null angeben.</translation>
+    </message>
+    <message>
+        <source>give zero or a positive length.</source>
+        <translation>Null oder eine positive Länge angeben.</translation>
+    </message>
+    <message>
+        <source>give a whole number greater than zero: posts write S so.</source>
+        <translation>Eine ganze Zahl größer als null angeben: So schreiben Postprozessoren S.</translation>
+    </message>
+    <message>
+        <source>give the tool controller a feed.</source>
+        <translation>Dem Werkzeug-Controller einen Vorschub geben.</translation>
+    </message>
+    <message>
+        <source>give the operation a tool controller with a tool.</source>
+        <translation>Der Operation einen Werkzeug-Controller mit Werkzeug geben.</translation>
+    </message>
+    <message>
+        <source>{} mm from the nearest dimple</source>
+        <translation>{} mm von der nächsten Vertiefung</translation>
+    </message>
+    <message>
+        <source>a ball of radius {} mm leaves untouched material between the dimples: choose a smaller spacing or a larger ball.</source>
+        <translation>Eine Kugel vom Radius {} mm lässt zwischen den Vertiefungen Material stehen: Einen kleineren Abstand oder eine größere Kugel wählen.</translation>
+    </message>
+    <message>
+        <source>choose a larger ball or a smaller spacing.</source>
+        <translation>Eine größere Kugel oder einen kleineren Abstand wählen.</translation>
+    </message>
+    <message>
+        <source>in dimples {} mm deep the tip of the ball would rub: incline the tool by more than {}°, or choose shallower dimples.</source>
+        <translation>In {} mm tiefen Vertiefungen würde die Kugelspitze reiben: Das Werkzeug um mehr als {}° neigen oder flachere Vertiefungen wählen.</translation>
+    </message>
+    <message>
+        <source>in dimples {} mm deep the tip of the ball would rub under a tilt of {} degrees, and the faces have {} at most: incline the part or choose shallower dimples.</source>
+        <translation>In {} mm tiefen Vertiefungen würde die Kugelspitze unter {} Grad Neigung reiben, und die Flächen haben höchstens {}: Das Teil neigen oder flachere Vertiefungen wählen.</translation>
+    </message>
+    <message>
+        <source>on a paced path every flute passes in turn: allow any flute, or use the constant-feed strategy.</source>
+        <translation>Auf einer getakteten Bahn schneidet jede Schneide der Reihe nach: Jede Schneide zulassen oder die Strategie mit konstantem Vorschub wählen.</translation>
+    </message>
+    <message>
+        <source>select a face of a solid or surface.</source>
+        <translation>Eine Fläche eines Körpers oder einer Fläche auswählen.</translation>
+    </message>
+    <message>
+        <source>select at least one face of the job&apos;s model.</source>
+        <translation>Mindestens eine Fläche des Modells im Job auswählen.</translation>
+    </message>
+    <message>
+        <source>it is gone: choose the faces again.</source>
+        <translation>Sie ist nicht mehr da: Die Flächen neu wählen.</translation>
+    </message>
+    <message>
+        <source>give the job a stock.</source>
+        <translation>Dem Job ein Rohteil geben.</translation>
+    </message>
+    <message>
+        <source>give the job a model.</source>
+        <translation>Dem Job ein Modell geben.</translation>
+    </message>
+    <message>
+        <source>it belongs to no job: make it in one.</source>
+        <translation>Sie gehört zu keinem Job: In einem Job anlegen.</translation>
+    </message>
+    <message>
+        <source>choose a texture operation.</source>
+        <translation>Eine Texturoperation wählen.</translation>
+    </message>
+    <message>
+        <source>repair the operation first.</source>
+        <translation>Zuerst die Operation in Ordnung bringen.</translation>
+    </message>
+    <message>
+        <source>copy milling takes a ball, bull nose, tapered or conical end mill: choose one.</source>
+        <translation>Kopierfräsen braucht einen Kugel-, Torus-, konischen Kugel- oder Kegelfräser: Einen davon wählen.</translation>
+    </message>
+    <message>
+        <source>choose a ball, bull nose, flat, tapered ball or conical end mill.</source>
+        <translation>Einen Kugel-, Torus-, Schaft-, konischen Kugel- oder Kegelfräser wählen.</translation>
+    </message>
+    <message>
+        <source>give no more than the tool&apos;s cutting edge, {} mm.</source>
+        <translation>Nicht mehr als die Schneidenlänge des Werkzeugs angeben, {} mm.</translation>
+    </message>
+    <message>
+        <source>give no more than AxialDepth, {} mm: the last pass takes it all at once.</source>
+        <translation>Nicht mehr als die axiale Zustellung angeben, {} mm: Der letzte Durchgang nimmt alles auf einmal.</translation>
+    </message>
+    <message>
+        <source>rapids would go through the stock: give more than its top, {} mm.</source>
+        <translation>Eilgänge gingen durch das Rohteil: Mehr als seine Oberkante angeben, {} mm.</translation>
+    </message>
+    <message>
+        <source>there is nothing to cut on them, or the ball does not reach them from above.</source>
+        <translation>An ihnen ist nichts zu fräsen, oder die Kugel erreicht sie nicht von oben.</translation>
+    </message>
+    <message>
+        <source>with undercuts choose the whole model.</source>
+        <translation>Bei Hinterschnitten das ganze Modell wählen.</translation>
+    </message>
+    <message>
+        <source>tool axes other than Z need a machine file with rotary axes.</source>
+        <translation>Andere Werkzeugachsen als Z brauchen eine Maschinendatei mit Drehachsen.</translation>
+    </message>
+    <message>
+        <source>name a machine file: without one nobody knows what it can follow.</source>
+        <translation>Eine Maschinendatei nennen: Ohne sie ist nicht bekannt, wozu die Maschine folgen kann.</translation>
+    </message>
+    <message>
+        <source>give a picture or closed curves, or choose None.</source>
+        <translation>Ein Bild oder geschlossene Kurven angeben, oder „Keine“ wählen.</translation>
+    </message>
+    <message>
+        <source>it has an open curve: close it.</source>
+        <translation>Sie hat eine offene Kurve: Diese schließen.</translation>
+    </message>
+    <message>
+        <source>put it over the faces.</source>
+        <translation>Über die Flächen legen.</translation>
+    </message>
+    <message>
+        <source>the job has no active operation.</source>
+        <translation>Der Job hat keine aktive Operation.</translation>
+    </message>
+    <message>
+        <source>choose a post-processor for the job.</source>
+        <translation>Einen Postprozessor für den Job wählen.</translation>
+    </message>
+    <message>
+        <source>name a file in a folder that can be written to.</source>
+        <translation>Eine Datei in einem beschreibbaren Ordner nennen.</translation>
+    </message>
+    <message>
+        <source>give the name of a file.</source>
+        <translation>Den Namen einer Datei angeben.</translation>
+    </message>
+    <message>
+        <source>What {} leaves</source>
+        <translation>Was {} stehen lässt</translation>
+    </message>
+    <message>
+        <source>Simulating …</source>
+        <translation>Simuliere …</translation>
+    </message>
+    <message>
+        <source>left over the part [{}]</source>
+        <translation>über dem Teil [{}]</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation type="unfinished">Prüfen</translation>
+    </message>
+    <message>
+        <source>height over the faces [{}]</source>
+        <translation>Höhe über den Flächen [{}]</translation>
+    </message>
+    <message>
+        <source>part that is milled, seen from above</source>
+        <translation>gefräster Teil, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>left over the part, mean</source>
+        <translation>steht über dem Teil, im Mittel</translation>
+    </message>
+    <message>
+        <source>left over the part, at most</source>
+        <translation>steht über dem Teil, höchstens</translation>
+    </message>
+    <message>
+        <source>cut below the part, at most</source>
+        <translation>unter das Teil gefräst, höchstens</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>Raster</translation>
     </message>
 </context>
 <context>

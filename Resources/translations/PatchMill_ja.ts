@@ -1901,10 +1901,6 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <translation>中止</translation>
     </message>
     <message>
-        <source>height over the faces [µm]</source>
-        <translation>面からの高さ [µm]</translation>
-    </message>
-    <message>
         <source>Height map</source>
         <translation>高さマップ</translation>
     </message>
@@ -2135,6 +2131,206 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     <message>
         <source>The faces are about {} wide: {:.0f} dimples side by side are too few.</source>
         <translation>面の幅は約 {} です。並ぶディンプルが {:.0f} 個では足りません。</translation>
+    </message>
+    <message>
+        <source>give a finite number.</source>
+        <translation>有限の数を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a value greater than zero.</source>
+        <translation>0 より大きい値を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a finite value greater than zero.</source>
+        <translation>0 より大きい有限の値を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a value from {} to {} mm.</source>
+        <translation>{} から {} mm の値を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a value from {} to {} degrees.</source>
+        <translation>{} から {} 度の値を指定してください。</translation>
+    </message>
+    <message>
+        <source>give more than zero.</source>
+        <translation>0 より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>give zero or a positive length.</source>
+        <translation>0 または正の長さを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a whole number greater than zero: posts write S so.</source>
+        <translation>0 より大きい整数を指定してください。ポストは S を整数で書きます。</translation>
+    </message>
+    <message>
+        <source>give the tool controller a feed.</source>
+        <translation>ツールコントローラーに送り速度を設定してください。</translation>
+    </message>
+    <message>
+        <source>give the operation a tool controller with a tool.</source>
+        <translation>工具のあるツールコントローラーを操作に設定してください。</translation>
+    </message>
+    <message>
+        <source>{} mm from the nearest dimple</source>
+        <translation>最も近いディンプルから {} mm</translation>
+    </message>
+    <message>
+        <source>a ball of radius {} mm leaves untouched material between the dimples: choose a smaller spacing or a larger ball.</source>
+        <translation>半径 {} mm のボールではディンプルの間に削り残しが出ます。間隔を小さくするか、大きいボールを選んでください。</translation>
+    </message>
+    <message>
+        <source>choose a larger ball or a smaller spacing.</source>
+        <translation>大きいボールか小さい間隔を選んでください。</translation>
+    </message>
+    <message>
+        <source>in dimples {} mm deep the tip of the ball would rub: incline the tool by more than {}°, or choose shallower dimples.</source>
+        <translation>深さ {} mm のディンプルではボールの先端がこすれます。工具を {}° より大きく傾けるか、ディンプルを浅くしてください。</translation>
+    </message>
+    <message>
+        <source>in dimples {} mm deep the tip of the ball would rub under a tilt of {} degrees, and the faces have {} at most: incline the part or choose shallower dimples.</source>
+        <translation>深さ {} mm のディンプルでは傾き {} 度未満でボールの先端がこすれますが、面の傾きは最大 {} です。部品を傾けるか、ディンプルを浅くしてください。</translation>
+    </message>
+    <message>
+        <source>on a paced path every flute passes in turn: allow any flute, or use the constant-feed strategy.</source>
+        <translation>歩調を合わせた経路ではすべての刃が順に通ります。どの刃でもよいとするか、送り一定の方式を使ってください。</translation>
+    </message>
+    <message>
+        <source>select a face of a solid or surface.</source>
+        <translation>ソリッドまたはサーフェスの面を選択してください。</translation>
+    </message>
+    <message>
+        <source>select at least one face of the job&apos;s model.</source>
+        <translation>ジョブのモデルの面を少なくとも一つ選択してください。</translation>
+    </message>
+    <message>
+        <source>it is gone: choose the faces again.</source>
+        <translation>なくなっています。面を選び直してください。</translation>
+    </message>
+    <message>
+        <source>give the job a stock.</source>
+        <translation>ジョブに素材を設定してください。</translation>
+    </message>
+    <message>
+        <source>give the job a model.</source>
+        <translation>ジョブにモデルを設定してください。</translation>
+    </message>
+    <message>
+        <source>it belongs to no job: make it in one.</source>
+        <translation>どのジョブにも属していません。ジョブの中に作ってください。</translation>
+    </message>
+    <message>
+        <source>choose a texture operation.</source>
+        <translation>テクスチャ操作を選んでください。</translation>
+    </message>
+    <message>
+        <source>repair the operation first.</source>
+        <translation>先に操作を直してください。</translation>
+    </message>
+    <message>
+        <source>copy milling takes a ball, bull nose, tapered or conical end mill: choose one.</source>
+        <translation>倣い加工にはボール、ラジアス、テーパーボールまたは円錐のエンドミルが必要です。どれかを選んでください。</translation>
+    </message>
+    <message>
+        <source>choose a ball, bull nose, flat, tapered ball or conical end mill.</source>
+        <translation>ボール、ラジアス、フラット、テーパーボールまたは円錐のエンドミルを選んでください。</translation>
+    </message>
+    <message>
+        <source>give no more than the tool&apos;s cutting edge, {} mm.</source>
+        <translation>工具の刃長 {} mm 以下にしてください。</translation>
+    </message>
+    <message>
+        <source>give no more than AxialDepth, {} mm: the last pass takes it all at once.</source>
+        <translation>軸方向切込み {} mm 以下にしてください。最後のパスで一度に削ります。</translation>
+    </message>
+    <message>
+        <source>rapids would go through the stock: give more than its top, {} mm.</source>
+        <translation>早送りが素材を通ります。素材の上面 {} mm より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>there is nothing to cut on them, or the ball does not reach them from above.</source>
+        <translation>削るものがないか、ボールが上から届きません。</translation>
+    </message>
+    <message>
+        <source>with undercuts choose the whole model.</source>
+        <translation>アンダーカットではモデル全体を選んでください。</translation>
+    </message>
+    <message>
+        <source>tool axes other than Z need a machine file with rotary axes.</source>
+        <translation>Z 以外の工具軸には回転軸のある機械ファイルが必要です。</translation>
+    </message>
+    <message>
+        <source>name a machine file: without one nobody knows what it can follow.</source>
+        <translation>機械ファイルを指定してください。ないと機械が何に追従できるか分かりません。</translation>
+    </message>
+    <message>
+        <source>give a picture or closed curves, or choose None.</source>
+        <translation>画像か閉じた曲線を指定するか、なしを選んでください。</translation>
+    </message>
+    <message>
+        <source>it has an open curve: close it.</source>
+        <translation>開いた曲線があります。閉じてください。</translation>
+    </message>
+    <message>
+        <source>put it over the faces.</source>
+        <translation>面の上に置いてください。</translation>
+    </message>
+    <message>
+        <source>the job has no active operation.</source>
+        <translation>ジョブに有効な操作がありません。</translation>
+    </message>
+    <message>
+        <source>choose a post-processor for the job.</source>
+        <translation>ジョブのポストプロセッサを選んでください。</translation>
+    </message>
+    <message>
+        <source>name a file in a folder that can be written to.</source>
+        <translation>書き込めるフォルダーのファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>give the name of a file.</source>
+        <translation>ファイル名を指定してください。</translation>
+    </message>
+    <message>
+        <source>What {} leaves</source>
+        <translation>{} の削り残し</translation>
+    </message>
+    <message>
+        <source>Simulating …</source>
+        <translation>シミュレーション中 …</translation>
+    </message>
+    <message>
+        <source>left over the part [{}]</source>
+        <translation>部品からの残り [{}]</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation type="unfinished">検査</translation>
+    </message>
+    <message>
+        <source>height over the faces [{}]</source>
+        <translation>面からの高さ [{}]</translation>
+    </message>
+    <message>
+        <source>part that is milled, seen from above</source>
+        <translation>加工された割合（上から見て）</translation>
+    </message>
+    <message>
+        <source>left over the part, mean</source>
+        <translation>削り残しの平均</translation>
+    </message>
+    <message>
+        <source>left over the part, at most</source>
+        <translation>削り残しの最大</translation>
+    </message>
+    <message>
+        <source>cut below the part, at most</source>
+        <translation>削りすぎの最大</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>格子</translation>
     </message>
 </context>
 <context>

@@ -94,7 +94,7 @@ def begin_texture(part, command="PatchMill_CurvedTexture"):
 def accept(panel):
     """OK, and waits until the panel is closed."""
     panel.accept()
-    closed = wait(lambda: not panel_open() or panel.error is not None)
+    closed = wait(lambda: not panel_open() or panel.error is not None, 240)
     assert panel.error is None, panel.error
     assert closed and not panel_open(), "the panel did not close"
 

@@ -106,7 +106,7 @@ class OneClick(driver.unittest.TestCase):
         self.assertTrue(driver.wait(lambda: scene.filled("relief") and scene.complete, 60))
         self.assertTrue(scene.shown("relief"))
         driver.set_quantity(self.panel, "Spacing", 0.7)
-        self.assertFalse(scene.filled("relief"))
+        self.assertTrue(driver.wait(lambda: not scene.filled("relief"), 60))  # with the dimples of before
         self.assertTrue(driver.wait(lambda: scene.filled("relief"), 150))
         box = self.panel.page.previews["relief"]
         hands.show(box)

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import ast
 import pathlib
+import re
 import string
 import sys
 import unittest
@@ -19,6 +20,7 @@ sys.path.insert(0, str(ROOT / "tools"))
 
 import table_texts  # noqa: E402
 
+SENTENCES = ROOT / "Gui" / "patchmill_gui" / "fields" / "known_sentences.py"
 LANGUAGES = ("de", "ja")
 MARKS = ("translate", "QT_TRANSLATE_NOOP")
 SHOWN = (  # what is called with a text that the user reads
@@ -32,7 +34,7 @@ FROM_TABLES = {
     ("property_form.py", "tip"),
     ("choice_rows.py", "choice"),
     ("texture_summary.py", "name"),
-    ("simulate_panel.py", "name"),
+    ("known_sentences.py", "known"),
     ("machine_editor.py", "row.label"),
     ("texture_panel.py", "text"),
     ("texture_head.py", "patch.array"),
@@ -100,6 +102,24 @@ class Translations(unittest.TestCase):
                     if any(letter.isalpha() for letter in argument.value):
                         bare.append("%s:%d %r" % (file.name, call.lineno, argument.value))
         self.assertEqual(bare, [])
+
+    def test_known_sentences_are_said_somewhere_and_are_translated(self):
+        """Each is in a source as it stands, but for its numbers and where its lines are broken."""
+        ours = [file for file in files() if file.name != "known_sentences.py"]
+        sources = [*ours, *(ROOT / "src").rglob("*.cpp")]
+        text = "\n".join(re.sub(r'"\s*f?"', "", file.read_text(encoding="utf-8")) for file in sources)
+        (assigned,) = [
+            node.value
+            for node in ast.walk(ast.parse(SENTENCES.read_text(encoding="utf-8")))
+            if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "SENTENCES"
+        ]
+        known = [call.args[1].value for call in assigned.elts]
+        self.assertGreater(len(known), 35)
+        for sentence in known:
+            parts = [re.escape(part) for part in re.split(r"\{\}| mm\.$| degrees\.$", sentence)]
+            self.assertRegex(text, "[^\"\n]{0,30}?".join(parts))
+            for language in LANGUAGES:
+                self.assertIsNotNone(catalogue(language)["PatchMill", sentence], sentence)
 
     def test_the_compiled_catalogues_say_the_same(self):
         for language in LANGUAGES:

@@ -8,7 +8,7 @@ import importlib
 import FreeCAD
 import FreeCADGui
 from _patchmill import InputError
-from patchmill.freecad import host
+from patchmill.freecad import host, kinds
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from patchmill.operations import quick_setup
 from PySide import QtGui
@@ -132,9 +132,16 @@ class Simulate(PanelCommand):
     TEXT = QT_TRANSLATE_NOOP("PatchMill_Simulate", "Simulate marks")
     TIP = QT_TRANSLATE_NOOP("PatchMill_Simulate", "Shows the relief that the tool will leave")
 
+    def target(self):
+        return tool_paths.selected()
+
     def panel(self, operation):
+        from patchmill_gui.panels.milled_panel import MilledPanel
         from patchmill_gui.panels.simulate_panel import SimulatePanel
 
+        if kinds.kind_of(operation) != kinds.TEXTURE:
+            tool_paths.fresh_path(operation)
+            return MilledPanel(operation)
         FreeCADGui.Selection.clearSelection()  # FreeCAD would tint the relief with its selection's colour
         return SimulatePanel(operation)
 

@@ -7,6 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import re
 
 from patchmill_gui.fields import unit_text
+from patchmill_gui.fields.known_sentences import translated_error
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
 _UNITS = {  # unit in a sentence: (kind of unit_text, how many of it)
@@ -31,8 +32,8 @@ def in_user_units(sentence):
 
 
 def error_text(error):
-    """What an exception says, in the user's units."""
-    return in_user_units(str(error))
+    """What an exception says, in the user's language and units."""
+    return in_user_units(translated_error(error))
 
 
 def _in_user_units(found):

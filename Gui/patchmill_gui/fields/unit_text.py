@@ -41,6 +41,15 @@ def text_of(value, kind):
     return "%s %s" % (number, unit) if unit else number
 
 
+def of_micrometres(low, high):
+    """(unit, low, high, decimals) of a range of heights [µm], in the user's system."""
+    unit, factor = user_unit("mm")
+    if unit.endswith("m"):
+        return "µm", low, high, 0
+    per_micrometre = 1e-3 / factor
+    return unit, low * per_micrometre, high * per_micrometre, decimals_of(per_micrometre * (high - low))
+
+
 def decimals_of(shown):
     """Digits behind the decimal sign that a number needs: the user's own, more where it is small."""
     own = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("Decimals", 2)

@@ -15,6 +15,7 @@ from patchmill.machine.machining_time import in_words
 from patchmill.posting import proposal
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.known_sentences import translated_error
 from patchmill_gui.fields.object_watch import ObjectWatch
 from patchmill_gui.forms.widgets import (
     ERROR_COLOUR,
@@ -146,7 +147,7 @@ class PostDialog(QtGui.QDialog):
                 self.posted = patchmill.post(self.job, name, self.post.currentText(), self.proposed.arguments)
         except InputError as error:
             document.abortTransaction()
-            return self._say(str(error), ERROR_COLOUR)
+            return self._say(translated_error(error), ERROR_COLOUR)
         document.commitTransaction()
         preferences.remember(ProgramFolder=os.path.dirname(os.path.abspath(name)))
         self._say(what_was_written(name, self.posted), GOOD_COLOUR)

@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from patchmill.properties.property_table import UNITS, label_of
 from patchmill.voxels import axis_field
 
+from patchmill_gui.fields.known_sentences import translated
 from patchmill_gui.fields.sentences import error_text, in_user_units
 from patchmill_gui.fields.typing_hand import is_typed_in
 from patchmill_gui.forms.choice_rows import ChoiceRow, MachineRow, ObjectListRow, ObjectRow
@@ -136,7 +137,8 @@ class PropertyForm(QtCore.QObject):
         named = getattr(error, "property", None)
         for name, row in self.rows.items():
             mine = named == name
-            row.error.setText(in_user_units("%s: %s" % (error.value, error.remedy)) if mine else "")
+            said = [translated(str(text)) for text in (error.value, error.remedy)] if mine else []
+            row.error.setText(in_user_units(": ".join(said)))
             if mine:
                 row.group.heading.setChecked(True)
         return "" if error is None or named in self.rows else error_text(error)

@@ -8,6 +8,7 @@ import html
 import _patchmill as core
 from patchmill.machine.machining_time import in_words
 
+from patchmill_gui.fields.sentences import in_user_units
 from patchmill_gui.forms.widgets import translate
 
 THIN = "\u202f"  # narrow, and lines do not break there
@@ -16,6 +17,16 @@ THIN = "\u202f"  # narrow, and lines do not break there
 def grouped(number):
     """12544 -> '12 544' with a narrow space."""
     return "{:,}".format(number).replace(",", THIN)
+
+
+def table_of(rows):
+    """Rich text of a table: pairs of a name, which is translated, and a value, in the user's units."""
+    row = "<tr><td>%s </td><td><b>%s</b></td></tr>"
+    made = (
+        row % (html.escape(translate("PatchMill", name)), html.escape(in_user_units(value)))
+        for name, value in rows
+    )
+    return "<table>%s</table>" % "".join(made)
 
 
 def _counts(counts):

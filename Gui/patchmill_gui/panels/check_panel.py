@@ -18,6 +18,7 @@ class CheckPanel(WorkPanel):
     """Task panel for an operation or modifier; the check starts at once."""
 
     def __init__(self, operation):
+        given = checks.check_input(operation)
         super().__init__(translate("PatchMill", "Check {}").format(operation.Label), operation)
         self.root = scene_of(operation)
         self.marks = coin.SoSeparator()
@@ -25,7 +26,6 @@ class CheckPanel(WorkPanel):
         self.add_progress()
         self.text.setText(translate("PatchMill", "Checking …"))
         self.bar.begin()
-        given = checks.check_input(operation)
         self.work.start(lambda progress: checks.run_check(given, progress=progress))
 
     def show_result(self, result):

@@ -11,7 +11,7 @@ from patchmill.operations import copy_milling
 from patchmill_gui.fields import unit_text
 from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import translate
-from patchmill_gui.panels.operation_base import OperationPage, OperationPanel, OperationView
+from patchmill_gui.panels.operation_base import OperationPage, OperationPanel, OperationView, offer_commands
 from patchmill_gui.views.path_view import PathScene, settle_native_lines
 from patchmill_gui.work.computing import Computing, ComputingBox
 
@@ -100,6 +100,10 @@ class CopyView(OperationView):
         if prop == "Path" and getattr(self, "scene", None):
             self.scene.follow(getattr(obj.Proxy, "path", None))
             settle_native_lines(obj)
+
+    def setupContextMenu(self, vobj, menu):
+        super().setupContextMenu(vobj, menu)
+        offer_commands(vobj.Object, menu, "PatchMill_Play", "PatchMill_Simulate", "PatchMill_Check")
 
     def make_panel(self, obj, page):
         return CopyPanel(obj, False, page, self.getSelectionFactory())

@@ -87,6 +87,26 @@ class OperationView(NativeView):
         QtCore.QTimer.singleShot(0, _forget_if_closed)
 
 
+def offer_commands(obj, menu, *names):
+    """Entries of an object's context menu that run commands on it, by the commands' names."""
+    texts = {
+        "PatchMill_Play": translate("PatchMill", "Play the path"),
+        "PatchMill_Simulate": translate("PatchMill", "Simulate marks"),
+        "PatchMill_Check": translate("PatchMill", "Check"),
+        "PatchMill_Report": translate("PatchMill", "Report"),
+    }
+    for name in names:
+        action = QtGui.QAction(texts[name], menu)
+        action.triggered.connect(lambda *_, name=name: _run_on(obj, name))
+        menu.addAction(action)
+
+
+def _run_on(obj, command):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(obj)
+    FreeCADGui.runCommand(command)
+
+
 def forget_panels():
     """Lets go of what Python keeps of closed panels; none is open."""
     for panel in list(_with_buttons):

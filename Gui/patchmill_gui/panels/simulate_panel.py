@@ -4,16 +4,16 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import FreeCADGui
-import html
 import patchmill
 from _patchmill import DimpleState, InputError
 from patchmill.operations.texture_operation import planned
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields import unit_text
 from patchmill_gui.fields.number_box import NumberBox
 from patchmill_gui.forms.choice_rows import MachineBox
+from patchmill_gui.forms.texture_summary import table_of
 from patchmill_gui.forms.widgets import busy_cursor, guard_editors, let_shrink, translate
-from patchmill_gui.panels.texture_view import RELIEF
 from patchmill_gui.views.legend import LegendPlace
 from patchmill_gui.views.texture_scene import relief_of
 from patchmill_gui.work.work_panel import WorkPanel
@@ -111,15 +111,10 @@ class SimulatePanel(WorkPanel):
         if made is None:
             return
         self.result, (displays, low, high) = made
-        self.scene.show(displays)
-        self.operation.ViewObject.Show = RELIEF
-        self.legend.show(translate("PatchMill", "height over the faces [µm]"), low, high)
-        cells = "".join(
-            "<tr><td>%s </td><td><b>%s</b></td></tr>"
-            % (html.escape(translate("PatchMill", name)), html.escape(value))
-            for name, value in self.result.rows()
-        )
-        self.text.setText("<table>%s</table>" % cells)
+        self.operation.ViewObject.Proxy.show_simulated(displays)
+        unit, *scale = unit_text.of_micrometres(low, high)
+        self.legend.show(translate("PatchMill", "height over the faces [{}]").format(unit), *scale)
+        self.text.setText(table_of(self.result.rows()))
         self.saving.setEnabled(True)
 
     def save(self):

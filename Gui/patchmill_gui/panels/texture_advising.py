@@ -14,35 +14,14 @@ from patchmill.verify.simulation import simulate
 from PySide import QtCore
 
 from patchmill_gui.fields import unit_text
+from patchmill_gui.fields.known_sentences import translated_error
 from patchmill_gui.forms.widgets import translate
 from patchmill_gui.panels.texture_head import Head
-from patchmill_gui.views.texture_scene import relief_of
+from patchmill_gui.views.worst_relief import assess_and_draw
 from patchmill_gui.work.background import Background
 
 assess = assessment.with_simulation(simulate)
 choose = partial(choice.choose, assess)
-
-
-class _Worst:
-    """patchmill.simulate that keeps the worst of what it made."""
-
-    def __init__(self):
-        self.result = None
-
-    def __call__(self, plan, **options):
-        made = simulate(plan, **options)
-        if self.result is None or made.quality < self.result.quality:
-            self.result = made
-        return made
-
-
-def _assess_and_draw(given, progress):
-    """(Assessment, displays of the relief of the worst place) or None if cancelled."""
-    worst = _Worst()
-    found = assessment.assess(worst, given, 3, progress, whole=True)
-    if found is None:
-        return None
-    return found, relief_of(worst.result)[0] if worst.result is not None else {}
 
 
 def _find_help(finder, given, progress):
@@ -61,6 +40,7 @@ class Advising(QtCore.QObject):
     place that was looked at."""
 
     chosen, relief = QtCore.Signal(), QtCore.Signal(object)
+    drawn: tuple = (None, {})  # displays of that relief, after the TextureInput that it is of
 
     def __init__(self, obj, show_properties):
         super().__init__()
@@ -141,12 +121,13 @@ class Advising(QtCore.QObject):
         self._planned = planned
         given = planned.asked
         self.helping.cancel()
-        self.assessing.start(lambda progress: _assess_and_draw(given, progress))
+        self.assessing.start(lambda progress: assess_and_draw(given, progress))
 
     def _assessed(self, made):
         found, displays = made or (None, {})
         if found is None or self._planned is None:
             return
+        self.drawn = (self._planned.asked, displays)
         self.relief.emit(displays)
         seconds = self._planned.seconds
         self.head.show_found(found, seconds, self._planned.pacing.verdict, self.notes)
@@ -154,12 +135,12 @@ class Advising(QtCore.QObject):
             self._look_for_help()
 
     def _failed(self, error):
-        self.head.show_error(str(error))
+        self.head.show_error(translated_error(error))
 
     def explain(self, error):
         """Shows why there is no texture, and looks for what helps."""
         self.assessing.cancel()
-        self.head.show_error(str(error))
+        self.head.show_error(translated_error(error))
         self._look_for_help()
 
     def _look_for_help(self):

@@ -29,7 +29,7 @@ from patchmill_gui.views.texture_scene import dimple_displays, line_displays
 from patchmill_gui.work.background import Background
 
 PICTURE_WIDTH = 220  # as narrow as FreeCAD's panel at first
-PLACE_AFTER_MS, PLAN_AFTER_MS = 10, 400
+PLACE_AFTER_MS, PLAN_AFTER_MS = 0, 400
 MAIN = QT_TRANSLATE_NOOP("PatchMill", "Pattern")
 MAIN_ROWS = ("PatchShape", "Spacing", "Depth", "Margin", "MaskUse", "Machine", "ToolAxisMode", "Strategy")
 PREVIEWS = (
@@ -130,8 +130,7 @@ class TexturePanel(OperationPanel):
 
     def __init__(self, obj, delete_on_reject, page, selection):
         super().__init__(obj, delete_on_reject, page, selection)
-        self.page = page
-        self.view = obj.ViewObject.Proxy
+        self.page, self.view = page, obj.ViewObject.Proxy
         self.scene = self.view.scene
         self.placing, self.drawing, self.planning = Background(brief=True), Background(), Background()
         self.error = None  # the InputError that is shown, for whoever asks
@@ -144,8 +143,7 @@ class TexturePanel(OperationPanel):
         self.advising = Advising(obj, page.advised)
         self.advising.chosen.connect(self._chosen)
         self.advising.relief.connect(self.scene.show)
-        self.ready = None
-        self.accepting = False
+        self.ready, self.accepting = None, False
         self.place_timer, self.plan_timer = one_shot(self._place), one_shot(self._plan)
 
     def setupUi(self):
@@ -171,14 +169,14 @@ class TexturePanel(OperationPanel):
         if page is not None and page.isdirty and hasattr(self, "place_timer"):
             self.accepting = self.accepting and self.advising.applying
             self.preview()
+            self.place_timer.stop()  # at once, before what waits is painted
+            self._place()
 
     def preview(self):
-        """Shows the texture as the properties are now, soon; Apply needs no more, for OK takes the plan that
-        is made for the preview."""
+        """Shows the texture as the properties are now, soon; Apply needs no more: OK takes this plan."""
         self.planning.cancel()
         self.page.progress.setVisible(False)
         self.advising.outdate()
-        self.scene.empty("relief")  # that of the values before
         self.place_timer.start(PLACE_AFTER_MS)
         self.plan_timer.start(PLAN_AFTER_MS)
 
@@ -202,6 +200,7 @@ class TexturePanel(OperationPanel):
         placed, displays, summary = result
         self.error = None
         self.page.show_error(None)
+        self.scene.empty("relief")  # of the values before, as the dimples were until now
         self.scene.show(displays)
         self.drawing.start(lambda progress: line_displays(placed))
         self.page.summary.setText(summary)
@@ -236,14 +235,15 @@ class TexturePanel(OperationPanel):
         if not isinstance(error, InputError):
             FreeCAD.Console.PrintError("PatchMill: %r\n" % error)
         self.error = error
+        self.scene.empty("relief")
         self.page.show_error(error)
         if not self.advising.choosing.busy:
             self.advising.explain(error)
 
     def ready_now(self):
         """Whether everything is planned for the properties as they are."""
-        waits = self.place_timer.isActive() or self.plan_timer.isActive()
-        return not (waits or self.advising.choosing.busy or self.busy())
+        waits = self.place_timer.isActive() or self.plan_timer.isActive() or self.advising.choosing.busy
+        return not (waits or self.busy())
 
     def busy(self):
         return self.placing.busy or self.drawing.busy or self.planning.busy
@@ -262,6 +262,7 @@ class TexturePanel(OperationPanel):
             return
         self.stop()
         preferences.remember_machine(self.obj.Machine)
+        self.view.known_relief = self.advising.drawn
         self.close_with(self.ready)
 
     def reject(self, resetEdit=True):
@@ -276,8 +277,8 @@ class TexturePanel(OperationPanel):
         return super().reject(resetEdit)
 
     def stop(self):
-        for timer in (self.place_timer, self.plan_timer):
-            timer.stop()
+        self.place_timer.stop()
+        self.plan_timer.stop()
         for work in (self.placing, self.drawing, self.planning):
             work.cancel()
         self.advising.stop()

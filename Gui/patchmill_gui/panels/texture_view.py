@@ -2,21 +2,21 @@
 
     ViewObject.Show = "Dimples" | "Tool path" | "Tool path and axes" | "Relief" | "FreeCAD's lines"
 
-FreeCAD's own lines are there too; it draws paths with rotary words wrongly (see src/scene/path_nodes.h).
+A new texture shows the relief of its worst place among its dimples, until one is simulated. FreeCAD's own
+lines are there too; it draws paths with rotary words wrongly (see src/scene/path_nodes.h).
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import FreeCAD
-import FreeCADGui
 from _patchmill import InputError
 from patchmill.textures.plan import place_texture, plan_texture
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
-from patchmill_gui.forms.widgets import translate
-from patchmill_gui.panels.operation_base import OperationView
+from patchmill_gui.panels.operation_base import OperationView, offer_commands
 from patchmill_gui.views.path_view import show_native_lines
 from patchmill_gui.views.texture_scene import PARTS, TextureScene, placed_displays, planned_displays
+from patchmill_gui.views.worst_relief import relief_displays
 from patchmill_gui.work.background import Background
 
 DIMPLES, PATH, AXES, RELIEF, NATIVE = SHOWS = (
@@ -30,7 +30,7 @@ PARTS_OF = {
     DIMPLES: ("dimples", "outlines", "order"),
     PATH: ("path",),
     AXES: ("path", "axes"),
-    RELIEF: ("relief",),
+    RELIEF: ("relief", "dimples", "outlines"),
     NATIVE: (),
 }
 
@@ -42,18 +42,22 @@ class ViewProvider(OperationView):
 
     scene = None
     fresh = False  # just made by a command: its panel looks for values that suit
+    simulated = False  # the relief is what the user had simulated: it is shown by itself
+    known_relief: tuple = (None, {})  # displays of the relief of a TextureInput's worst place
 
     def attach(self, vobj):
         """Also when a document is opened: the display is made anew, from the path that was saved."""
         super().attach(vobj)
         self.scene = TextureScene()
-        self.drawing = Background()
+        self.drawing, self.cutting = Background(), Background()
         self.drawing.finished.connect(self.scene.show)
+        self.cutting.finished.connect(self._cut)
         self.editing = False
         vobj.RootNode.addChild(self.scene.root)
         if "Show" not in vobj.PropertiesList:
             vobj.addProperty("App::PropertyEnumeration", "Show", "PatchMill", "What is displayed")
             vobj.Show = list(SHOWS)
+            vobj.Show = RELIEF
         self.update(vobj)
 
     def onChanged(self, vobj, prop):
@@ -64,6 +68,8 @@ class ViewProvider(OperationView):
         super().updateData(obj, prop)
         if prop == "Path" and getattr(self, "scene", None) and not self.editing:
             self.scene.clear()
+            self.cutting.cancel()
+            self.simulated = False
             self.update_soon(obj)
 
     def update_soon(self, obj):
@@ -77,40 +83,63 @@ class ViewProvider(OperationView):
         if obj is not None and obj.ViewObject is not None:
             self.update(obj.ViewObject)
 
+    def show_simulated(self, displays):
+        """Shows the relief that the user had simulated."""
+        self.cutting.cancel()
+        self.simulated = True
+        self.scene.show(displays)
+        self.vobj.Show = RELIEF
+        self.update(self.vobj)
+
     def update(self, vobj):
-        """Fills, if empty, and shows what `Show` asks for; the dimples, where a relief is asked for and none
-        has been simulated yet. For a document just opened the texture is made anew in the background; one
-        that cannot be made shows FreeCAD's lines, if it has any."""
+        """Fills, if empty, and shows what `Show` asks for. For a document just opened the texture is made
+        anew in the background; one that cannot be made shows FreeCAD's lines, if it has any."""
         show = vobj.Show
-        if show == RELIEF and not self.scene.filled("relief"):
-            show = DIMPLES
         parts = PARTS_OF[show] if vobj.Visibility and not self.editing else ()
-        if parts and not self._fill(show, vobj.Object):
+        if show == RELIEF and self.simulated:
+            parts = parts[:1]
+        if parts and not self._fill(parts, vobj.Object):
             show, parts = NATIVE, ()
         for part in PARTS:
             if not self.editing:
                 self.scene.switch(part, part in parts)
         show_native_lines(vobj, show == NATIVE and not self.editing)
 
-    def _fill(self, show, obj):
+    def _fill(self, parts, obj):
         """Makes what is to be shown in the background, unless it is there. Returns whether there is, or will
         be, something to show."""
-        if show == RELIEF or all(self.scene.filled(part) for part in PARTS_OF[show]):
+        lacking = [part for part in parts if not self.scene.filled(part)]
+        if not lacking:
             return True
         planned = getattr(obj.Proxy, "planned", None)
-        make = placed_displays if show == DIMPLES else planned_displays
-        if planned is not None:
-            self.drawing.start(lambda progress: make(planned))
-            return True
-        if getattr(obj.Proxy, "error", None) is not None or not obj.Path.Size:
+        if planned is None and (getattr(obj.Proxy, "error", None) is not None or not obj.Path.Size):
             return False
         try:
-            given = obj.Proxy.texture_input(obj)
+            given = planned.asked if planned is not None else obj.Proxy.texture_input(obj)
         except InputError:
             return False
-        build = place_texture if show == DIMPLES else plan_texture
-        self.drawing.start(lambda progress: _made_displays(build(given, progress), make))
+        if lacking[0] == "relief":
+            self._cut_relief(given)
+            lacking = lacking[1:]
+        if lacking:
+            placed_only = "dimples" in parts
+            make = placed_displays if placed_only else planned_displays
+            build = place_texture if placed_only else plan_texture
+            self.drawing.start(lambda progress: _made_displays(planned or build(given, progress), make))
         return True
+
+    def _cut_relief(self, given):
+        """Shows the relief of the worst place, once it is known."""
+        asked, displays = self.known_relief
+        if asked == given:
+            self.scene.show(displays)
+        elif not self.cutting.busy:
+            self.cutting.start(lambda progress: (given, relief_displays(given, progress)))
+
+    def _cut(self, made):
+        self.known_relief = made
+        if not (self.editing or self.simulated):
+            self.scene.show(made[1])
 
     def make_panel(self, obj, page):
         from patchmill_gui.panels.texture_panel import TexturePanel
@@ -119,22 +148,9 @@ class ViewProvider(OperationView):
 
     def setupContextMenu(self, vobj, menu):
         super().setupContextMenu(vobj, menu)
-        for text, command in (
-            (translate("PatchMill", "Play the path"), "PatchMill_Play"),
-            (translate("PatchMill", "Simulate marks"), "PatchMill_Simulate"),
-            (translate("PatchMill", "Report"), "PatchMill_Report"),
-        ):
-            action = QtGui.QAction(text, menu)
-            action.triggered.connect(lambda *_, name=command: _run_on(vobj.Object, name))
-            menu.addAction(action)
+        offer_commands(vobj.Object, menu, "PatchMill_Play", "PatchMill_Simulate", "PatchMill_Report")
 
 
 def _made_displays(made, make):
     """Displays of what was made for a display alone; none if it was cancelled."""
     return {} if made is None else make(made)
-
-
-def _run_on(obj, command):
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(obj)
-    FreeCADGui.runCommand(command)
