@@ -18,13 +18,14 @@ from patchmill_gui.work.room import make_room_soon
 class ClosePanel:
     """Task panel with a Close button, about the document object `operation`, with which it closes. `form` is
     what FreeCAD shows; a subclass fills `layout`, and takes back in `leave` what only the panel showed in the
-    view."""
+    view, without its widgets, which may be gone by then."""
 
     def __init__(self, title, operation):
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title)
         self.layout = QtGui.QVBoxLayout(self.form)
-        self.opened = False
+        self.opened = self.ended = False
+        self.form.destroyed.connect(self._end)  # FreeCAD asks nothing where something else is edited
         self.watch = ObjectWatch(operation, self._gone)
         FreeCAD.addDocumentObserver(self.watch)
 
@@ -42,9 +43,11 @@ class ClosePanel:
         FreeCADGui.Control.closeDialog()
         return True
 
-    def _end(self):
-        FreeCAD.removeDocumentObserver(self.watch)
-        self.leave()
+    def _end(self, *_):
+        if not self.ended:
+            self.ended = True
+            FreeCAD.removeDocumentObserver(self.watch)
+            self.leave()
 
     def _gone(self):
         """The object is being deleted, maybe with its document: the panel goes when that is done."""
