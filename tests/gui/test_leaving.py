@@ -92,6 +92,16 @@ class Leaving(driver.BlockTest):
             end()
             self.assertTrue(driver.wait(lambda: not self.post_windows(), 10))
 
+    def test_nothing_is_posted_for_a_job_that_was_just_taken_back(self):
+        """By a click that comes before the window has gone."""
+        driver.accept(self.panel)
+        window = post_dialog.show(self.operation.Proxy.getJob(self.operation))
+        FreeCADGui.runCommand("Std_Undo")
+        self.assertNotIn("Job", self.names())
+        window.write()
+        self.assertIsNone(window.posted)
+        self.assertTrue(driver.wait(lambda: not self.post_windows(), 10))
+
     @staticmethod
     def post_windows():
         windows = FreeCADGui.getMainWindow().findChildren(QtGui.QDialog, "PostDialog")

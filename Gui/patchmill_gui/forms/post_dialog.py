@@ -53,6 +53,7 @@ class PostDialog(QtGui.QDialog):
         guard_editors(self)
         self.watch = ObjectWatch(job, self._gone)
         FreeCAD.addDocumentObserver(self.watch)
+        self.watched = True
         self.finished.connect(self._unwatch)
 
     def _gone(self):
@@ -62,9 +63,9 @@ class PostDialog(QtGui.QDialog):
         QtCore.QTimer.singleShot(0, self.reject)
 
     def _unwatch(self, *_):
-        if self.watch is not None:
+        if self.watched:
+            self.watched = False
             FreeCAD.removeDocumentObserver(self.watch)
-            self.watch = None
 
     def _build(self):
         layout = QtGui.QVBoxLayout(self)
@@ -138,7 +139,10 @@ class PostDialog(QtGui.QDialog):
             self.file.setText(name)
 
     def write(self):
-        """Posts. What is chosen is kept by the job, in one step of undo."""
+        """Posts. What is chosen is kept by the job, in one step of undo. A job that was taken back meanwhile
+        is left alone: the next step of undo would destroy it while it is changed."""
+        if not self.watch.is_there():
+            return self.reject()
         name, document = self.file.text().strip(), self.job.Document
         document.openTransaction(translate("PatchMill", "Post"))
         try:
