@@ -2166,19 +2166,19 @@ Spindel {:.0f}°</translation>
     </message>
     <message>
         <source>give the tool controller a feed.</source>
-        <translation>Dem Werkzeug-Controller einen Vorschub geben.</translation>
+        <translation>Der Werkzeugsteuerung einen Vorschub geben.</translation>
     </message>
     <message>
         <source>give the operation a tool controller with a tool.</source>
-        <translation>Der Operation einen Werkzeug-Controller mit Werkzeug geben.</translation>
+        <translation>Der Operation eine Werkzeugsteuerung mit Werkzeug geben.</translation>
     </message>
     <message>
         <source>{} mm from the nearest dimple</source>
-        <translation>{} mm von der nächsten Vertiefung</translation>
+        <translation>{} mm von der nächsten Mulde</translation>
     </message>
     <message>
         <source>a ball of radius {} mm leaves untouched material between the dimples: choose a smaller spacing or a larger ball.</source>
-        <translation>Eine Kugel vom Radius {} mm lässt zwischen den Vertiefungen Material stehen: Einen kleineren Abstand oder eine größere Kugel wählen.</translation>
+        <translation>Eine Kugel vom Radius {} mm lässt zwischen den Mulden Material stehen: Einen kleineren Abstand oder eine größere Kugel wählen.</translation>
     </message>
     <message>
         <source>choose a larger ball or a smaller spacing.</source>
@@ -2186,11 +2186,11 @@ Spindel {:.0f}°</translation>
     </message>
     <message>
         <source>in dimples {} mm deep the tip of the ball would rub: incline the tool by more than {}°, or choose shallower dimples.</source>
-        <translation>In {} mm tiefen Vertiefungen würde die Kugelspitze reiben: Das Werkzeug um mehr als {}° neigen oder flachere Vertiefungen wählen.</translation>
+        <translation>In {} mm tiefen Mulden würde die Kugelspitze reiben: Das Werkzeug um mehr als {}° neigen oder flachere Mulden wählen.</translation>
     </message>
     <message>
         <source>in dimples {} mm deep the tip of the ball would rub under a tilt of {} degrees, and the faces have {} at most: incline the part or choose shallower dimples.</source>
-        <translation>In {} mm tiefen Vertiefungen würde die Kugelspitze unter {} Grad Neigung reiben, und die Flächen haben höchstens {}: Das Teil neigen oder flachere Vertiefungen wählen.</translation>
+        <translation>In {} mm tiefen Mulden würde die Kugelspitze unter {} Grad Neigung reiben, und die Flächen haben höchstens {}: Das Teil neigen oder flachere Mulden wählen.</translation>
     </message>
     <message>
         <source>on a paced path every flute passes in turn: allow any flute, or use the constant-feed strategy.</source>

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import driver
 import FreeCAD
+import FreeCADGui
 import hands
 from patchmill.advice.found import Assessment
 from patchmill.advice.remedies import Remedy
@@ -137,6 +138,17 @@ class Values(driver.BlockTest):
         driver.wait(lambda: rows["Spacing"].error.text())
         self.assertRegex(rows["Spacing"].error.text(), r"^0\.2505 in .* of radius 0\.03937 in ")
         self.assertNotIn("mm", rows["Spacing"].error.text())
+
+    def test_an_error_is_said_in_the_users_language(self):
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        FreeCADGui.setLocale("German")
+        rows = self.begin()
+        self.typed("Spacing", "4")
+        self.assertTrue(driver.wait(lambda: rows["Spacing"].error.text()))
+        said = "2.828 mm von der nächsten Mulde: Eine Kugel vom Radius 1 mm lässt zwischen den Mulden"
+        self.assertIn(said, rows["Spacing"].error.text())
+        head = self.panel.advising.head.bar
+        self.assertTrue(driver.wait(lambda: "Abstand = 2.828 mm von der" in head.text(), 20), head.text())
 
     def test_what_was_not_edited_keeps_every_digit(self):
         rows = self.begin()

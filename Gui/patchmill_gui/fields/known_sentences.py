@@ -8,6 +8,7 @@ import re
 
 from FreeCAD import Qt
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
+from patchmill.properties.property_table import label_of
 
 SENTENCES = (
     QT_TRANSLATE_NOOP("PatchMill", "give a finite number."),
@@ -89,8 +90,12 @@ def translated(sentence):
 
 
 def translated_error(error):
-    """What an exception says; of an InputError value and remedy in that language."""
+    """What an exception says; of an InputError the property as its row names it, value and remedy in that
+    language."""
     if not hasattr(error, "remedy"):
         return str(error)
     said = str(error).replace(error.remedy, translated(error.remedy))
-    return said.replace(str(error.value), translated(str(error.value)), 1)
+    said = said.replace(str(error.value), translated(str(error.value)), 1)
+    known = label_of(error.property)
+    label = Qt.translate("PatchMill", known)
+    return said if label == known else said.replace(error.property, label, 1)
