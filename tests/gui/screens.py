@@ -1,5 +1,5 @@
 """Pictures of every panel and window in each look: light, dark, German, Japanese, inches, small, large. A
-look is one picture, the panels side by side; what is written with too little contrast or cut off is told.
+look is some pictures of panels side by side; what is written with too little contrast or cut off is told.
 
     tests/gui/run_gui tests/gui/screens.py FOLDER [LOOK ...]
     QT_SCALE_FACTOR=1.75 PATCHMILL_GUI_SCREEN=1920x1080 tests/gui/run_gui tests/gui/screens.py FOLDER light
@@ -18,7 +18,7 @@ from patchmill_gui.forms import machine_editor, post_dialog
 from PySide import QtCore, QtGui
 
 CONTRAST = 4.5  # WCAG 2.2, success criterion 1.4.3
-GAP = 8  # pixels
+GAP, WIDEST, BESIDE = 8, 700, 4  # pixels; panels in a picture
 SIZES = {"small": (1024, 768), "large": (1920, 1080)}
 LANGUAGES = {"german": "German", "japanese": "Japanese"}
 LOOKS = ("light", "dark", "german", "japanese", "inches", "small", "large")
@@ -46,9 +46,8 @@ class Sheet:
     """The pictures of one look."""
 
     def __init__(self, folder, look):
-        self.name = os.path.join(folder, "screens_%s.png" % look)
-        self.look = look
-        self.pictures = []
+        self.folder, self.look = folder, look
+        self.pictures, self.saved = [], 0
 
     def take(self, title, widget):
         """A widget's picture, and a line for each sentence of it that is hard to read."""
@@ -59,19 +58,29 @@ class Sheet:
             print("%s, %s: contrast %.1f: %s" % (self.look, title, ratio, said), flush=True)
         for said, lacks in clipped(widget):
             print("%s, %s: %d pixels too narrow: %s" % (self.look, title, lacks, said), flush=True)
+        for said in without_buddy(widget):
+            print("%s, %s: an ampersand is shown: %s" % (self.look, title, said), flush=True)
+        if len(self.pictures) == BESIDE:
+            self.save()
 
     def save(self):
-        width = sum(min(p.width(), 700) + GAP for p in self.pictures)
-        height = max(p.height() for p in self.pictures)
+        """What was taken since the last time."""
+        shots, self.pictures = self.pictures, []
+        if not shots:
+            return
+        self.saved += 1
+        name = os.path.join(self.folder, "screens_%s_%d.png" % (self.look, self.saved))
+        width = sum(min(p.width(), WIDEST) + GAP for p in shots)
+        height = max(p.height() for p in shots)
         image = QtGui.QImage(width, height, QtGui.QImage.Format_RGB32)
         image.fill(QtCore.Qt.magenta)
         painter, x = QtGui.QPainter(image), 0
-        for each in self.pictures:
+        for each in shots:
             painter.drawPixmap(x, 0, each)
-            x += min(each.width(), 700) + GAP
+            x += min(each.width(), WIDEST) + GAP
         painter.end()
-        image.save(self.name)
-        print(self.name, flush=True)
+        image.save(name)
+        print(name, flush=True)
 
 
 def _luminance(pixels):
@@ -115,6 +124,16 @@ def clipped(widget):
             yield text, lacks
 
 
+def without_buddy(widget):
+    """Texts of labels whose ampersand is no key: there is no field that it leads to."""
+    labels = [each for each in widget.findChildren(QtGui.QLabel) if each.isVisible()]
+    return [each.text() for each in labels if "&" in each.text() and each.buddy() is None and plain(each)]
+
+
+def plain(label):
+    return label.textFormat() == QtCore.Qt.AutoText and not QtCore.Qt.mightBeRichText(label.text())
+
+
 def dock():
     return FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Combo View")
 
@@ -124,7 +143,8 @@ def textures(sheet, part):
     for name in TEXTURES:
         operation, panel = driver.begin_texture(part, "PatchMill_" + name)
         driver.wait(lambda: not panel.advising.assessing.busy, 200)
-        driver.wait(lambda: not panel.advising.helping.busy, 200)
+        if name == TEXTURES[0]:
+            driver.wait(lambda: not panel.advising.helping.busy, 200)
         sheet.take(name, dock())
         if name == TEXTURES[0]:
             panel.page.advanced.heading.setChecked(True)
@@ -188,7 +208,7 @@ def main():
     folder, looks = sys.argv[1], sys.argv[2:] or LOOKS
     for look in looks:
         put_on(look)
-        document, part = driver.new_document(driver.wavy_block())
+        document, part = driver.new_document(driver.wavy_block(12.0, 8.0))
         sheet = Sheet(folder, look)
         kept = textures(sheet, part)
         opened(sheet, kept)

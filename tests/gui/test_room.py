@@ -1,12 +1,17 @@
-"""No control of a panel lies past what its dock shows: at 1024 by 768, in a dock that was made narrow before,
-in every language, all folds open.
+"""No control of any panel lies past what its dock shows, nothing scrolls sideways, no label shows its key's
+ampersand: at 1024 by 768, in a dock that was made narrow before, in every language, all folds open.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import tempfile
+
 import driver
 import FreeCADGui
+from patchmill_gui.app.core_panel import CorePanel
+from patchmill_gui.forms import machine_editor, post_dialog
 from patchmill_gui.forms.widgets import forget_closed_panels
+from patchmill_gui.panels.report_panel import ReportPanel
 from PySide import QtCore, QtGui
 
 SHOWN = (
@@ -14,6 +19,7 @@ SHOWN = (
     QtGui.QAbstractItemView, QtGui.QPlainTextEdit, QtGui.QAbstractSlider, QtGui.QProgressBar, QtGui.QGroupBox,
 )  # fmt: skip
 NARROW = 180  # pixels
+OTHERS = ("PlanarTexture", "PyramidTexture", "CalibrationPatch")
 WIDEST = 400  # that a panel may ask for, of a screen of 1024
 
 
@@ -48,6 +54,19 @@ def cut_off(around):
     return found
 
 
+def scrolling_sideways(around):
+    """How far what is in each scroll area of a dock is wider than it [pixels]."""
+    areas = [each for each in around.findChildren(QtGui.QScrollArea) if each.isVisible()]
+    bars = [each.horizontalScrollBar().maximum() for each in areas]
+    return [most for most in bars if most > 0]
+
+
+def ampersands(around):
+    """Texts of labels that show an ampersand, for want of a field that its key would lead to."""
+    labels = [each for each in around.findChildren(QtGui.QLabel) if each.isVisible()]
+    return [each.text() for each in labels if each.text().startswith("&") and each.buddy() is None]
+
+
 class Room(driver.BlockTest):
     def setUp(self):
         window = FreeCADGui.getMainWindow()
@@ -66,12 +85,44 @@ class Room(driver.BlockTest):
 
     def check(self, what):
         driver.rest(0.6)
-        driver.wait(lambda: not cut_off(dock()), 20)  # where the machine is busy
+        # where the machine is busy
+        driver.wait(lambda: not (cut_off(dock()) or scrolling_sideways(dock())), 20)
         self.assertEqual(cut_off(dock()), [], what)
+        self.assertEqual(scrolling_sideways(dock()), [], what)
+        self.assertEqual(ampersands(dock()), [], what)
         self.assertLess(dock().width(), WIDEST, what)
+
+    def other_textures(self, language):
+        for name in OTHERS:
+            self.narrow()
+            _, panel = driver.begin_texture(self.part, "PatchMill_" + name)
+            panel.page.advanced.heading.setChecked(True)
+            for group in panel.page.properties.groups.values():
+                group.heading.setChecked(True)
+            self.check("%s, %s" % (language, name))
+            panel.reject()
+
+    def without_command(self, language, operation):
+        """Panels that ask for a file first, or are shown without a core; and the windows."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        for make in (lambda: ReportPanel(operation, folder.name), CorePanel):
+            self.narrow()
+            panel = make()
+            FreeCADGui.Control.showDialog(panel)
+            self.check("%s, %s" % (language, type(panel).__name__))
+            FreeCADGui.Control.closeDialog()
+        for window in (
+            post_dialog.show(operation.Proxy.getJob(operation)),
+            machine_editor.show("table-table-ac"),
+        ):
+            driver.rest(0.3)
+            self.assertEqual(ampersands(window), [], language)
+            window.close()
 
     def panels(self, language):
         FreeCADGui.setLocale(language)
+        self.other_textures(language)
         self.narrow()
         operation, panel = driver.begin_texture(self.part)
         self.check(language + ", texture")
@@ -86,6 +137,7 @@ class Room(driver.BlockTest):
             driver.run_on(operation, command)
             self.check("%s, %s" % (language, command))
             FreeCADGui.Control.closeDialog()
+        self.without_command(language, operation)
         self.narrow()
         driver.run_on(self.part, "PatchMill_CopyMilling")
         milling = self.document.getObject("CopyMilling")
@@ -93,6 +145,10 @@ class Room(driver.BlockTest):
         panel.form_rows.rows["AxialDepth"].editor.setProperty("rawValue", 4.0)
         self.check(language + ", copy milling")
         driver.accept(panel)
+        self.narrow()
+        driver.run_on(milling, "PatchMill_Simulate")
+        self.check(language + ", simulated milling")
+        FreeCADGui.Control.closeDialog()
         self.narrow()
         driver.run_on(milling, "PatchMill_DressupDcm")
         self.check(language + ", DCM")

@@ -10,18 +10,20 @@ from PySide import QtCore, QtGui
 from patchmill_gui.forms.widgets import DELETED
 
 TASK_VIEW = "Gui::TaskView::TaskView"
-SHOWN_MS = 100  # until the widgets of a panel that has just been shown have their sizes
+SHOWN_MS = (100, 600)  # until the widgets of a panel that has just been shown have their sizes
 
 
 def make_room_soon():
     """make_room() when the panel that is being shown has its widgets."""
-    QtCore.QTimer.singleShot(SHOWN_MS, make_room)
+    for after in SHOWN_MS:
+        QtCore.QTimer.singleShot(after, make_room)
 
 
 def make_room():
-    """Widens the dock with FreeCAD's task panel to the least width that its contents can have, the scroll bar
-    beside them; a dock that is as wide stays as it is. The way goes from the main window down: a panel's form
-    that was asked for its parents is taken for deleted when Python forgets those."""
+    """Widens the dock with FreeCAD's task panel to the least width that its contents can have, those of
+    scroll areas in it as well, the scroll bar beside them; a dock that is as wide stays. The way goes from
+    the main window down: a panel's form that was asked for its parents is taken for deleted when Python
+    forgets those."""
     window = FreeCADGui.getMainWindow()
     for dock in window.findChildren(QtGui.QDockWidget):
         for area in dock.findChildren(QtGui.QScrollArea):
@@ -49,4 +51,6 @@ def needed_width(dock, area):
     left = area.mapTo(dock, QtCore.QPoint(0, 0)).x()  # of the tabs around it; as much is at its right
     margins, bar = area.viewportMargins(), area.verticalScrollBar().sizeHint().width()
     contents = area.widget().minimumSizeHint().width()
-    return contents + bar + margins.left() + margins.right() + 2 * (area.frameWidth() + left)
+    outer = contents + bar + margins.left() + margins.right() + 2 * (area.frameWidth() + left)
+    inner = [each.horizontalScrollBar() for each in area.findChildren(QtGui.QScrollArea) if each.isVisible()]
+    return max(outer, dock.width() + max((bar.maximum() for bar in inner), default=0))
