@@ -2332,6 +2332,22 @@ Spindel {:.0f}°</translation>
         <source>grid</source>
         <translation>Raster</translation>
     </message>
+    <message>
+        <source>Walls of the part beside the faces are in the tool&apos;s way.</source>
+        <translation type="unfinished">Wände des Teils neben den Flächen sind dem Werkzeug im Weg.</translation>
+    </message>
+    <message>
+        <source>Mill them in {} operations, the tool leant from each side</source>
+        <translation type="unfinished">In {} Operationen fräsen, das Werkzeug von jeder Seite geneigt</translation>
+    </message>
+    <message>
+        <source>Mill them in {} clampings, a job for each</source>
+        <translation type="unfinished">In {} Aufspannungen fräsen, mit je einem Auftrag</translation>
+    </message>
+    <message>
+        <source>{}, margin {} beside walls</source>
+        <translation type="unfinished">{}, neben Wänden {} Rand</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

@@ -38,7 +38,7 @@ _LAZY = {
     "mark_state": ("patchmill.textures.advisor", "mark_state"),
     "job": ("patchmill.macros.jobs", "job"),
     "texture": ("patchmill.macros.jobs", "texture"),
-    "choose_values": ("patchmill.advice.chosen", "take_for"),
+    "choose_values": ("patchmill.advice.apply", "take_for"),
     "faces": ("patchmill.macros.faces", "faces"),
     "planned": ("patchmill.operations.texture_operation", "planned"),
     "recompute": ("patchmill.operations.texture_operation", "recompute"),

@@ -20,7 +20,7 @@ import one_click  # noqa: E402
 import other_parts  # noqa: E402
 import patchmill  # noqa: E402
 import quality_parts  # noqa: E402
-from patchmill.advice import cells, hollows, narrow, orientation, remedies, verdict  # noqa: E402
+from patchmill.advice import cells, orientation, remedies, room, verdict  # noqa: E402
 from patchmill.advice.found import Assessment, PatchQuality  # noqa: E402
 
 HOLDS, LOST = types.SimpleNamespace(holding="holds"), types.SimpleNamespace(holding="lost")
@@ -136,7 +136,7 @@ class Hollows(unittest.TestCase):
         operation = one_click.texture(*other_parts.PARTS[name](), "linuxcnc-mill")
         self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
         given = operation.Proxy.texture_input(operation)
-        return hollows.least_radius(given), hollows.too_narrow(given)
+        return room.least_radius(given), room.ball_too_large(given)
 
     def test_known_radii(self):
         """A bore of 8 mm, a trough of 9; the torus' inside bends in along it with what is left of its hole;
@@ -167,27 +167,27 @@ class Narrow(unittest.TestCase):
         """Of rectangles, a ring and a shaft; a disc is no narrower than its radius."""
         for sides in ((20.0, 1.5), (1.5, 20.0), (6.0, 6.0)):
             face = Part.makePlane(*sides)
-            self.assertAlmostEqual(narrow.width(face), min(sides), places=9)
+            self.assertAlmostEqual(room.width(face), min(sides), places=9)
         shape, name = self.rim(1.5)
-        self.assertAlmostEqual(narrow.width(shape.getElement(name)), 1.5, places=9)
+        self.assertAlmostEqual(room.width(shape.getElement(name)), 1.5, places=9)
         shaft = max(Part.makeCylinder(3.0, 2.0).Faces, key=lambda face: face.Area)
-        self.assertAlmostEqual(narrow.width(shaft), 2.0, places=9)
+        self.assertAlmostEqual(room.width(shaft), 2.0, places=9)
         disc = Part.Face(Part.Wire(Part.makeCircle(8.0)))
-        self.assertGreater(narrow.width(disc), 8.0)
+        self.assertGreater(room.width(disc), 8.0)
 
     def test_few_dimples_side_by_side(self):
         """Of a rim with 3, not of a ring with 6, nor of a plate; nor where little of the area is narrow."""
         for wide, expected in ((1.5, (1.5, 3.0)), (3.0, None)):
             operation = self.texture(*self.rim(wide))
             given = operation.Proxy.texture_input(operation)
-            found = narrow.too_narrow(given)
+            found = room.too_narrow(given)
             self.assertEqual(found and tuple(round(each, 6) for each in found), expected)
             finer = replace(given, spacing=0.25)
-            self.assertIsNone(narrow.too_narrow(finer))
+            self.assertIsNone(room.too_narrow(finer))
         plate = Part.makePlane(20.0, 16.0).exportBrepToString()
         rim = Part.makePlane(8.0, 1.5).exportBrepToString()
-        self.assertIsNone(narrow.too_narrow(replace(given, breps=(plate, rim))))
-        self.assertIsNotNone(narrow.too_narrow(replace(given, breps=(plate, rim, rim))))
+        self.assertIsNone(room.too_narrow(replace(given, breps=(plate, rim))))
+        self.assertIsNotNone(room.too_narrow(replace(given, breps=(plate, rim, rim))))
 
     def test_a_narrow_rim_gets_a_smaller_spacing(self):
         operation = self.texture(*self.rim(1.5, radius=6.0))
@@ -233,7 +233,7 @@ class ClosedFaces(unittest.TestCase):
 
     def test_inclinations_on_both_sides_of_the_best_are_tried(self):
         leanings = [(0.5, 40.0, "a"), (0.4, 50.0, "b"), (0.39, 20.0, "c"), (0.3, 60.0, "d"), (0.2, 10.0, "e")]
-        self.assertEqual([lean[2] for lean in remedies._apart(leanings)], ["c", "d"])
+        self.assertEqual([lean[2] for lean in orientation.apart(leanings)], ["c", "d"])
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 
 from _patchmill import InputError
-from patchmill.advice import apply, assessment, choice, hollows, narrow, remedies
+from patchmill.advice import apply, assessment, choice, companions, remedies, room, sides
 from patchmill.textures import strategies
 from patchmill.verify.simulation import simulate
 from PySide import QtCore
@@ -24,15 +24,27 @@ assess = assessment.with_simulation(simulate)
 choose = partial(choice.choose, assess)
 
 
+def _assess_and_draw(given, others, progress):
+    """(Assessment, displays of the relief of the worst place) or None if cancelled. `others`: TextureInputs
+    that share the faces."""
+    made = assess_and_draw(given, progress)
+    if made is None:
+        return None
+    found, displays = made
+    return sides.with_others(assess, found, given, others), displays
+
+
 def _find_help(finder, given, progress):
     """(Remedies, (least radius of the faces' hollows, that of the ball) [mm] if it does not fit or None,
-    narrow.too_narrow where nothing helps at this spacing or None), or None if cancelled."""
+    room.too_narrow where nothing helps at this spacing or None, whether walls are in the way), or None if
+    cancelled."""
     found = finder.find(given, progress)
     if found is None:
         return None
-    radius = hollows.too_narrow(given)
+    radius = room.ball_too_large(given)
     helped = any(remedy.assessment.good and "spacing" not in remedy.fields for remedy in found)
-    return found, radius and (radius, given.tool.radius), None if helped else narrow.too_narrow(given)
+    strip = None if helped else room.too_narrow(given)
+    return found, radius and (radius, given.tool.radius), strip, finder.walls
 
 
 class Advising(QtCore.QObject):
@@ -119,9 +131,16 @@ class Advising(QtCore.QObject):
     def assess(self, planned):
         """Begins to find out how good a PlannedTexture is."""
         self._planned = planned
-        given = planned.asked
+        given, others = planned.asked, self._others()
         self.helping.cancel()
-        self.assessing.start(lambda progress: assess_and_draw(given, progress))
+        self.assessing.start(lambda progress: _assess_and_draw(given, others, progress))
+
+    def _others(self):
+        """TextureInputs of those that share the faces."""
+        try:
+            return companions.inputs(self.obj)
+        except InputError:  # their own panels say it
+            return []
 
     def _assessed(self, made):
         found, displays = made or (None, {})
@@ -160,7 +179,7 @@ class Advising(QtCore.QObject):
         self.helping.start(lambda progress: _find_help(finder, given, progress))
 
     def _helped(self, made):
-        found, radii, strip = made or (None, None, None)
+        found, radii, strip, walls = made or (None, None, None, False)
         said = [] if found else [translate("PatchMill", "Nothing that was tried makes it better.")]
         if radii is not None:
             bends = translate(
@@ -172,6 +191,8 @@ class Advising(QtCore.QObject):
                 "PatchMill", "The faces are about {} wide: {:.0f} dimples side by side are too few."
             )
             said.append(wide.format(unit_text.text_of(strip[0], "mm"), strip[1]))
+        elif walls:
+            said.append(translate("PatchMill", "Walls of the part beside the faces are in the tool's way."))
         self.head.note(" ".join(said))
         self.head.offer(found or [])
 

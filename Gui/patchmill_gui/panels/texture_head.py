@@ -228,6 +228,16 @@ def verdict_of(found, phase):
     return colour, said.get(why, short)
 
 
+def _sides_text(remedy):
+    """Of a texture that shares the faces with others."""
+    count = len(remedy.others) + 1
+    if remedy.axis is None:
+        text = translate("PatchMill", "Mill them in {} operations, the tool leant from each side")
+    else:
+        text = translate("PatchMill", "Mill them in {} clampings, a job for each")
+    return text.format(count)
+
+
 def remedy_text(remedy):
     """What a remedy does and gives, as its button says it."""
     found, fields = remedy.assessment, remedy.fields
@@ -242,6 +252,7 @@ def remedy_text(remedy):
         if "minimum_tilt" in fields
         else translate("PatchMill", "Leave out what is steeper than {:.0f}°").format(steepest),
         "values": translate("PatchMill", "Take the values that suit"),
+        "sides": _sides_text(remedy),
     }[remedy.kind]
     if "spacing" in fields:
         spacing = unit_text.text_of(fields["spacing"], "mm")
@@ -250,7 +261,11 @@ def remedy_text(remedy):
         what = translate("PatchMill", "{}, dimples laid along the faces").format(what)
     if "minimum_tilt" in fields and remedy.kind != "leave out":
         what = translate("PatchMill", "{}, leave out what is too flat").format(what)
-    if steepest != LAID["steepest_slope"] and (remedy.kind != "leave out" or "minimum_tilt" in fields):
+    if remedy.walled:
+        margin = unit_text.text_of(fields["margin"], "mm")
+        what = translate("PatchMill", "{}, margin {} beside walls").format(what, margin)
+    own = remedy.kind == "sides" or (remedy.kind == "leave out" and "minimum_tilt" not in fields)
+    if steepest != LAID["steepest_slope"] and not own:
         what = translate("PatchMill", "{}, leave out what is steeper than {:.0f}°").format(what, steepest)
     if not found.borders_are_good:
         what = translate("PatchMill", "{}, borders not as good").format(what)

@@ -1,12 +1,15 @@
 """Takes choices and remedies over into documents: an operation's properties, its tool controller's feed and
-speed where nobody else uses it, and how the part lies in the job.
+speed where nobody else uses it, how the part lies in the job, and the other operations that share its faces.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import FreeCAD
+import patchmill
+from _patchmill import InputError
 from FreeCAD import Placement, Rotation, Vector
 
+from patchmill.advice import assessment, choice, companions
 from patchmill.freecad import host
 from patchmill.properties.property_table import property_of
 
@@ -50,11 +53,45 @@ def _set(obj, name, value):
         setattr(obj, name, value)
 
 
+def take_for(operation):
+    """Gives a texture operation the values that suit it, as a new one gets them in the GUI. Returns the
+    choice.Choice; None, and nothing is changed, where the texture cannot be made whatever they are:
+    patchmill.recompute says why."""
+    assess = assessment.with_simulation(patchmill.simulate)
+    free = controller_is_free(operation)
+    try:
+        found = choice.choose(assess, operation.Proxy.texture_input(operation), free)
+    except InputError:
+        return None
+    if found is not None:
+        set_fields(operation, found.fields)
+    return found
+
+
 def take(obj, remedy):
-    """Takes a remedies.Remedy over."""
-    if remedy.kind == "incline":
-        incline(host.PathUtils.findParentJob(obj), remedy.axis, remedy.angle)
-    set_fields(obj, remedy.fields)
+    """Takes a remedies.Remedy over; returns the other operations that share the faces from then on: what
+    earlier ones did that are not needed any more is as it was."""
+    job = host.PathUtils.findParentJob(obj)
+    lay = [model.Placement for model in job.Model.Group]
+    earlier = companions.of(obj) if remedy.others else []
+    _take_side(obj, remedy)
+    made = []
+    for side in remedy.others:
+        other = earlier.pop(0) if earlier else companions.make(obj, in_same_job=side.axis is None)
+        companions.copy_values(obj, other)
+        if side.axis is not None:
+            for model, placement in zip(host.PathUtils.findParentJob(other).Model.Group, lay):
+                model.Placement = placement
+        _take_side(other, side)
+        made.append(other)
+    return made
+
+
+def _take_side(obj, side):
+    """Turns the part, if `side`, a sides.Side or a remedies.Remedy, says so, and sets the fields."""
+    if side.axis is not None and "fixed_axis" not in side.fields:
+        incline(host.PathUtils.findParentJob(obj), side.axis, side.angle)
+    set_fields(obj, side.fields)
     obj.Proxy.refresh_heights(obj)
 
 
@@ -88,7 +125,5 @@ def can_incline(obj):
 
 
 def model_of(obj):
-    """BREP texts of the job's model, all of which incline() turns; () where it may not be turned."""
-    if not can_incline(obj):
-        return ()
+    """BREP texts of the job's model: all of it is turned when the part is, and the tool is to keep off it."""
     return [model.Shape.exportBrepToString() for model in host.PathUtils.findParentJob(obj).Model.Group]

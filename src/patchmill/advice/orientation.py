@@ -19,6 +19,8 @@ BEST_TILTS = (14.0, 28.0)
 STEEP, STEEP_COUNTS = 78.0, 0.7  # up to which tilt, and as how much of a good one, the steepest places count
 LAID_STEEP, LAID_STEEP_COUNTS = 88.0, 0.97  # of a lattice that lies on the faces: it is not stretched
 PER_DEGREE = 0.0005  # of the faces, that a degree of leaning must gain
+APART = 15.0  # degrees between inclinations that are both tried
+SIDEWAYS = 0.5  # cosine to Z, below which faces are looked at along their own normal
 COARSE = 0.02  # of the faces' size: how far triangles may be off a face whose normals are asked for
 
 
@@ -53,6 +55,20 @@ def leanings(normals, areas=None, angles=ANGLES, flattest=BEST_TILTS[0], laid=Fa
             good = good_fraction(normals, weights, up_of(axis, angle), flattest, laid)
             found.append((round(good - PER_DEGREE * angle, 4), -angle, -k, round(good, 3), axis))
     return [(good, -angle, axis) for _, angle, _, good, axis in sorted(found, reverse=True)]
+
+
+def apart(leanings):
+    """The best of those that lean clearly less than the first, and of those that lean clearly more."""
+    first = leanings[0][1]
+    less = [lean for lean in leanings if lean[1] <= first - APART][:1]
+    more = [lean for lean in leanings if lean[1] >= first + APART][:1]
+    return sorted(less + more, reverse=True)
+
+
+def seen_from(normals, areas):
+    """Fields that look at faces from where they are seen, if that is not from above."""
+    mean = (normals * areas[:, None]).sum(axis=0) / areas.sum()
+    return {"auto_direction": True} if mean[2] < SIDEWAYS * max(float(np.linalg.norm(mean)), 1e-9) else {}
 
 
 def good_fraction(normals, weights, up, flattest=BEST_TILTS[0], laid=False):
@@ -95,12 +111,17 @@ def turned(given, axis, angle, model=()):
     above the top of the `model`, BREP texts, as they are: a job's stock, from which they follow, is turned
     with it. Of the faces where it is empty."""
     rotation = Rotation(Vector(*axis), angle)
-    breps, solids = ([_turned_text(text, axis, angle) for text in texts] for texts in (given.breps, model))
+    breps, solids = (turned_texts(texts, axis, angle) for texts in (given.breps, model))
     origin = None if given.origin is None else tuple(rotation.multVec(Vector(*given.origin)))
     above = given.safe_height - max(_top(text) for text in model or given.breps)
     clear = given.clearance_height - given.safe_height
     safe = max(_top(text) for text in solids or breps) + above
     return replace(given, breps=breps, origin=origin, safe_height=safe, clearance_height=safe + clear)
+
+
+def turned_texts(texts, axis, angle):
+    """BREP texts of what is turned by `angle` [degrees] about `axis` through the origin."""
+    return [_turned_text(text, axis, angle) for text in texts]
 
 
 def _turned_text(text, axis, angle):

@@ -3,13 +3,12 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
-import numpy as np
 from _patchmill import InputError
 
-from patchmill.advice import narrow, orientation
+from patchmill.advice import orientation, room, sides
 from patchmill.advice.choice import POLYGONS
 from patchmill.advice.found import GOOD, GOOD_FRACTION, Assessment
 from patchmill.machine import machines
@@ -19,8 +18,6 @@ from patchmill.textures.plan import plan_texture
 MIN_GAIN = 0.02  # of the faces, that a remedy must make good besides
 LEAD = 20.0  # of a tool that follows the normals [degrees]
 FINER = (0.6, 0.4)  # of the spacing
-APART = 15.0  # degrees between inclinations that are both tried
-SIDEWAYS = 0.5  # cosine to Z, below which faces are looked at along their own normal
 WORTH_TRYING = 0.75  # of what one setup reaches of the faces, at good tilts by their normals
 UPRIGHT = (0.0, 0.0, 1.0)
 LAID = {"mapping": "On surface", "steepest_slope": orientation.LAID_STEEP}
@@ -31,14 +28,17 @@ ENOUGH = 2  # good remedies, after which dearer ones are not tried
 
 @dataclass
 class Remedy:
-    """`kind`: values, incline, lean, along, finer, lay, leave out. `fields`: of a TextureInput; `axis` and
-    `angle` [degrees]: how the part is turned about its middle, or the tool the other way."""
+    """`kind`: values, incline, lean, along, finer, lay, leave out, sides. `fields`: of a TextureInput; `axis`
+    and `angle` [degrees]: how the part is turned about its middle, or the tool the other way; `others`:
+    sides.Side of the textures that share the faces; `walled`: a wider margin keeps the tool off walls."""
 
     kind: str
     fields: dict
     assessment: Assessment
     axis: tuple = None
     angle: float = 0.0
+    others: list = field(default_factory=list)
+    walled: bool = False
 
 
 class Finder:
@@ -52,6 +52,7 @@ class Finder:
         self.assess, self.choose, self.free = assess, choose, free
         self.can_incline, self.chosen, self.model = can_incline, chosen, model
         self.before = dict(before or {}) if chosen and free else {}
+        self.walls = False  # whether a tool would have run into the part
 
     def find(self, given, progress=None):
         """The Remedies that were tried and help, the best first; None if `progress` (fraction -> bool)
@@ -80,6 +81,8 @@ class Finder:
                 continue
             if remedy is not None and _is_better(remedy.assessment, now):
                 found.append(remedy)
+        if reached < GOOD_FRACTION:
+            found.extend(self._by_sides(given))
         most = max((remedy.assessment.good_fraction for remedy in found), default=0.0)
 
         def rank(remedy):
@@ -102,7 +105,7 @@ class Finder:
         the faces lies well."""
         machine = machines.load(given.machine) if given.machine else None
         leanings = orientation.leanings(normals, areas)
-        best, other = leanings[0], _apart(leanings)
+        best, other = leanings[0], orientation.apart(leanings)
         whole = given
         if self.chosen and "margin" in self.chosen:
             given = replace(given, margin=0.0)  # each has one of its own
@@ -123,7 +126,7 @@ class Finder:
             lean = orientation.leanings(normals, areas, flattest=flattest)[0]
             if self.can_incline and lean[0] > max(worth, best[0] + MIN_GAIN):
                 last.append(partial(self._incline, given, lean, part))
-            elif self.can_incline and best[0] > worth and narrow.too_narrow(given):
+            elif self.can_incline and best[0] > worth and room.too_narrow(given):
                 last.append(partial(self._incline, given, best, part))
         if self.can_incline:
             worth = min(worth, WORTH_TRYING * best[0])
@@ -155,25 +158,42 @@ class Finder:
 
     def _chosen_for(self, given, kind, fields, axis=None, angle=0.0):
         """The Remedy with values that suit `given`, whose `fields` are new; what is too flat or too steep
-        left out besides, where that makes more of it good, or all that remains."""
+        left out besides, where that makes more of it good, or all that remains; None where the tool would run
+        into the part."""
         choice = self.choose(given, self.free)
         if choice is None:
             return None
-        fields = {**self.before, **fields, **choice.fields}
-        remedy = Remedy(kind, fields, choice.assessment, axis, angle)
-        now = remedy.assessment
-        if now.remains_good:
+        found, fields = choice.assessment, {**self.before, **fields, **choice.fields}
+        given = replace(given, **choice.fields)
+        if not found.remains_good:
+            try:
+                rest = self.leave_out(given)
+            except InputError:
+                rest = None
+            if rest is not None and (
+                rest.assessment.good_fraction > found.good_fraction or _leaves_good(rest.assessment, found)
+            ):
+                fields.update(rest.fields)
+                found, given = rest.assessment, replace(given, **rest.fields)
+        return self._beside_walls(given, Remedy(kind, fields, found, axis, angle))
+
+    def _beside_walls(self, given, remedy):
+        """The Remedy, of which `given` comes, with a margin that keeps the tool off the part's walls where
+        that is needed; what it leaves out is not good, then. None if none does."""
+        incline = remedy.kind == "incline"
+        model = orientation.turned_texts(self.model, remedy.axis, remedy.angle) if incline else self.model
+        if not room.touches(given, model):
             return remedy
-        try:
-            rest = self.leave_out(replace(given, **choice.fields))
-        except InputError:
-            rest = None
-        if rest is not None and (
-            rest.assessment.good_fraction > now.good_fraction or _leaves_good(rest.assessment, now)
-        ):
-            remedy.fields.update(rest.fields)
-            remedy.assessment = rest.assessment
-        return remedy
+        self.walls = True
+        for margin in room.margins_beside_walls(given):
+            asked = replace(given, margin=margin)
+            if not room.touches(asked, model):
+                made = self.assess(asked, 3, whole=True)
+                part = made.dimples / max(1, remedy.assessment.dimples)
+                made.milled_fraction = min(made.milled_fraction, part * remedy.assessment.milled_fraction)
+                fields = {**remedy.fields, "margin": margin}
+                return replace(remedy, fields=fields, assessment=made, walled=True)
+        return None
 
     def _values(self, given):
         return self._chosen_for(given, "values", {})
@@ -189,14 +209,25 @@ class Finder:
         """The tool leant as the part would be, the other way round; `others`: fields that `given` has new."""
         _, angle, axis = leaning
         fields = {"tool_axis_mode": "Fixed", "fixed_axis": orientation.up_of(axis, angle), **(others or {})}
-        fields.update(_seen_from(normals, areas))
+        fields.update(orientation.seen_from(normals, areas))
         return self._chosen_for(replace(given, **fields), "lean", fields, axis, angle)
 
     def _along(self, given, normals, areas):
         """The tool follows the normals, at an angle to them."""
         fields = {"tool_axis_mode": "Normal", "lead": LEAD, "tilt": 0.0}
-        fields.update(_seen_from(normals, areas))
+        fields.update(orientation.seen_from(normals, areas))
         return self._chosen_for(replace(given, **fields), "along", fields, angle=LEAD)
+
+    def _by_sides(self, given):
+        """The Remedy by which several textures share the faces and make them good, in a list."""
+        own = {"margin": 0.0} if self.chosen and "margin" in self.chosen else {}
+        asked = replace(given, **own, **self.before)
+        made, together = sides.find(self.assess, self.choose, asked, self.free, self.can_incline, self.model)
+        if not made:
+            return []
+        first = made[0]
+        fields = {**self.before, **first.fields}
+        return [Remedy("sides", fields, together, first.axis, first.angle, made[1:])]
 
     def _lay(self, given):
         """The lattice on the faces."""
@@ -262,20 +293,6 @@ def _helps(found, now):
     if now is None:
         return found.good_fraction > MIN_GAIN
     return found.worth > now + MIN_GAIN
-
-
-def _apart(leanings):
-    """The best of those that lean clearly less than the first, and of those that lean clearly more."""
-    first = leanings[0][1]
-    less = [lean for lean in leanings if lean[1] <= first - APART][:1]
-    more = [lean for lean in leanings if lean[1] >= first + APART][:1]
-    return sorted(less + more, reverse=True)
-
-
-def _seen_from(normals, areas):
-    """Fields that look at faces from where they are seen, if that is not from above."""
-    mean = (normals * areas[:, None]).sum(axis=0) / areas.sum()
-    return {"auto_direction": True} if mean[2] < SIDEWAYS * max(float(np.linalg.norm(mean)), 1e-9) else {}
 
 
 def _finer_fields(given, part):
