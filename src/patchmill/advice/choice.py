@@ -13,7 +13,7 @@ import FreeCAD
 import Part
 from _patchmill import InputError
 
-from patchmill.advice.found import GOOD, SMALL, Assessment
+from patchmill.advice.found import GOOD, GOOD_FRACTION, SMALL, Assessment
 from patchmill.machine import machines
 from patchmill.textures import strategies
 from patchmill.textures.division import texture_size
@@ -143,7 +143,8 @@ def _of_locked(assess, given, choices, rpms, progress):
     good = [choice for choice in choices if _good_but_where_flat(choice.assessment.patches)]
     if good:
         most = max(choice.assessment.good_fraction for choice in good)
-        alike = [choice for choice in good if choice.assessment.good_fraction > most - ALIKE]
+        enough = min(most - ALIKE, GOOD_FRACTION) - 1e-9  # of more than that the fastest is best
+        alike = [choice for choice in good if choice.assessment.good_fraction >= enough]
         return _fastest(assess, given, alike, rpms, progress)
     for choice in sorted(choices, key=lambda choice: _rank(choice.assessment), reverse=True):
         if all(patch.holds and not patch.problem for patch in choice.assessment.patches):
