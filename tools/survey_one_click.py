@@ -19,7 +19,7 @@ import one_click
 import other_parts
 import patchmill
 from _patchmill import InputError
-from patchmill.advice import apply, assessment, cells, choice, verdict
+from patchmill.advice import apply, assessment, cells, choice, companions, verdict
 from patchmill.advice.found import GOOD
 from patchmill.textures.order import rows
 from patchmill.textures.plan import plan_texture
@@ -29,12 +29,14 @@ from patchmill_gui.panels import texture_head
 MACHINES = ("linuxcnc-mill", "table-table-ac")
 COLUMNS = (
     "part", "machine", "one click: head", "document", "fix", "after it: head", "document",
-    "dimples", "values", "min", "foreseen", "times the best", "cpu s",
+    "dimples", "values", "min", "foreseen", "times the best", "in the way", "cpu s",
 )  # fmt: skip
 SHORT = {"Spindle-locked": "locked", "Constant feed, fitted stops": "fitted", "Feed per move": "feed"}
 COLOURS = {verdict.GOOD: "green", verdict.DOUBTFUL: "amber", verdict.BAD: "red"}
+FAR = 1.3  # times the fastest point: from there on it is asked whether that is good
 SPEEDS = 3  # the highest ones that are chosen from, beside the first and the one that was chosen
 SQUARES = 24  # of a document, spread over its faces
+LOOKED_AT = 6  # of the fastest points, one of which is to be good
 
 
 def head(operation):
@@ -43,10 +45,27 @@ def head(operation):
         plan = patchmill.recompute(operation)
     except InputError as error:
         return "red", str(error), math.nan
-    found = one_click.assess(plan.asked, 3, whole=True)
+    found = one_click.together(operation, plan.asked)
     phase = plan.pacing.verdict
     sentence = texture_head.verdict_of(found, phase)[1]
-    return COLOURS[verdict.judge(found, phase)[0]], sentence, plan.path.statistics()["timed_seconds"] / 60.0
+    return COLOURS[verdict.judge(found, phase)[0]], sentence, _minutes(operation)
+
+
+def _plans(operation):
+    """PlannedTextures of an operation and of those that share its faces; none where it has none."""
+    if operation.Proxy.planned is None:
+        return []
+    return [operation.Proxy.planned, *(other.Proxy.planned for other in companions.of(operation))]
+
+
+def _minutes(operation):
+    return sum(plan.path.statistics()["timed_seconds"] for plan in _plans(operation)) / 60.0
+
+
+def touching(operation):
+    """'' where posting finds nothing in the tool's way, else what it says."""
+    checked = [patchmill.check(each) for each in (operation, *companions.of(operation))]
+    return " / ".join(result.sentence for result in checked if not result.clear)
 
 
 def judged(operation):
@@ -54,13 +73,21 @@ def judged(operation):
     area whose cells are as planned; part of the dimples in squares of GOOD quality; quality of all squares'.
     '-' where nothing is planned; 'steep' where the texture is laid on faces that are too steep for one
     relief over the plane: there the head looks at patches from their own side, and this at none."""
-    plan = operation.Proxy.planned
-    if plan is None:
+    plans = _plans(operation)
+    if not plans:
         return "-"
-    if plan.asked.mapping != "Projected" and assessment.steepest(plan) > assessment.STEEP:
-        return "steep"
+    worth = worth_of(plans)
+    return "steep" if worth is None else "%.1f %%; %.0f %%; %.3f" % worth
+
+
+def worth_of(plans):
+    """(per cent of the area, per cent of the dimples, quality) of PlannedTextures, as judged() says; None
+    where one of them is steep."""
+    if any(p.asked.mapping != "Projected" and assessment.steepest(p) > assessment.STEEP for p in plans):
+        return None
     results = [
         patchmill.simulate(plan, machine=plan.machine, window=window)
+        for plan in plans
         for window in assessment.squares(plan, SQUARES)
     ]
     quality = np.array([result.quality for result in results])
@@ -69,7 +96,7 @@ def judged(operation):
     squares = planned[quality >= GOOD].sum() / planned.sum()
     share = cells.good_share(results)
     whole = np.average(quality, weights=marks)
-    return "%.0f %%; %.0f %%; %.2f" % (100.0 * share, 100.0 * squares, whole)
+    return 100.0 * share, 100.0 * squares, whole
 
 
 def values(operation):
@@ -81,20 +108,35 @@ def values(operation):
 
 
 def times_best(operation, start_speed):
-    """Time over that of the best point that holds, of both orders, both directions of rows and the highest
-    speeds."""
+    """Time over that of the fastest point that holds, of both orders, both directions of rows and the highest
+    speeds; and over that of the fastest of them that is good, if that is another one."""
     plan = operation.Proxy.planned
     if plan is None:
         return "-"
     given = plan.asked
     ladder = choice.speeds(given_at(given, start_speed), plan.machine)[-SPEEDS:]
     speeds = [round(start_speed), round(60.0 * given.spindle.speed), *ladder]
-    best = []
+    points = []
     for direction in (rows.ALONG_X, rows.ALONG_Y):
         turned = plan_texture(replace(given, row_direction=direction))
-        found = best_speed.of_plan(turned, speeds, (rows.HELIX, rows.ROWS)).best
-        best += [found.seconds] if found is not None else []
-    return "%.2f" % (plan.path.statistics()["timed_seconds"] / min(best)) if best else "-"
+        curve = best_speed.of_plan(turned, speeds, (rows.HELIX, rows.ROWS)).curve
+        points += [(point.seconds, direction, point) for point in curve if point.holds]
+    points.sort(key=lambda point: point[:2])
+    if not points:
+        return "-"
+    seconds = plan.path.statistics()["timed_seconds"]
+    said = ["%.2f" % (seconds / points[0][0])]
+    if seconds / points[0][0] > FAR:
+        good = next((point[0] for point in points[:LOOKED_AT] if is_good_at(given, *point[1:])), seconds)
+        said.append("%.2f" % (seconds / good))
+    return " / ".join(said)
+
+
+def is_good_at(given, direction, point):
+    """Whether a texture is good with rows in a direction, at a best_speed.SpeedPoint."""
+    asked = replace(given_at(given, point.rpm), row_direction=direction, order=point.order)
+    worth = worth_of([plan_texture(asked)])
+    return worth is None or (worth[0] >= 95.0 and worth[2] >= GOOD)
 
 
 def given_at(given, rpm):
@@ -130,6 +172,8 @@ def row(name, machine):
             note(5, "%s: %s" % (colour, sentence))
             note(6, judged(operation))
             note(10, "%.2f" % (found[0].assessment.seconds / 60.0))
+    if operation.Proxy.planned is not None:
+        note(12, touching(operation) or "clear")
     plan = operation.Proxy.planned
     note(7, str(plan.counts["cut"] if plan else 0))
     note(8, values(operation))
@@ -155,18 +199,18 @@ def main():
     def over(*_):
         raise TimeoutError
 
-    signal.signal(signal.SIGALRM, over)
+    signal.signal(signal.SIGPROF, over)
     for part, key in pairs:
         if "| %s | %s |" % (part, key) in done:
             continue
         cells = [part, key]
-        signal.alarm(given.seconds)
+        signal.setitimer(signal.ITIMER_PROF, given.seconds)  # however busy the computer is
         try:
             for cells in row(part, key):  # noqa: B007  they are filled in
                 pass
         except TimeoutError:
             cells[-1] = "over %d s" % given.seconds
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
         print("| %s |" % " | ".join(cells), file=out, flush=True)
         for name in FreeCAD.listDocuments():
             FreeCAD.closeDocument(name)
