@@ -222,7 +222,8 @@ class Finder:
         """The Remedy by which several textures share the faces and make them good, in a list."""
         own = {"margin": 0.0} if self.chosen and "margin" in self.chosen else {}
         asked = replace(given, **own, **self.before)
-        made, together = sides.find(self.assess, self.choose, asked, self.free, self.can_incline, self.model)
+        looking = self.assess, self.choose, room.touches
+        made, together = sides.find(*looking, asked, self.free, self.can_incline, self.model)
         if not made:
             return []
         first = made[0]

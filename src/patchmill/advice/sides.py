@@ -17,7 +17,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
-from patchmill.advice import orientation, room
+from patchmill.advice import orientation
 from patchmill.advice.found import Assessment
 from patchmill.machine import machines
 from patchmill.textures.plan import place_texture
@@ -42,13 +42,13 @@ class Side:
     angle: float = 0.0
 
 
-def find(assess, choose, given, free, can_incline, model=()):
+def find(assess, choose, touches, given, free, can_incline, model=()):
     """(Sides with the values that suit the first of them, Assessment of all) by which the faces become good;
-    ([], None) where nothing does. The arguments are remedies.Finder's."""
+    ([], None) where nothing does. `touches`: room.touches; the other arguments are remedies.Finder's."""
     machine = machines.load(given.machine) if given.machine else None
     for shared in _tries(given, machine, can_incline):
         try:
-            made, together = _made_of(assess, choose, given, shared, free, model)
+            made, together = _made_of((assess, choose, touches), given, shared, free, model)
         except InputError:
             continue
         if made and together.good:
@@ -56,9 +56,10 @@ def find(assess, choose, given, free, can_incline, model=()):
     return [], None
 
 
-def _made_of(assess, choose, given, shared, free, model):
+def _made_of(functions, given, shared, free, model):
     """The same for some Sides; ([], None) where one of them does not reach its part or is not good, or where
     its tool would run into the part. The values are those of the first side that suit all."""
+    assess, choose, touches = functions
     if not _reaches_its_part(asked(given, shared[0], model), len(shared)):
         return [], None
     for chosen in shared:
@@ -66,20 +67,20 @@ def _made_of(assess, choose, given, shared, free, model):
         if choice is None or not choice.assessment.remains_good:
             continue
         inputs = [asked(replace(given, **choice.fields), side, model) for side in shared]
-        found = _assessments(assess, inputs, shared, model)
+        found = _assessments(assess, touches, inputs, shared, model)
         if found:
             made = [replace(side, fields={**choice.fields, **side.fields}) for side in shared]
             return made, together(found, inputs)
     return [], None
 
 
-def _assessments(assess, inputs, shared, model):
+def _assessments(assess, touches, inputs, shared, model):
     """Those of the TextureInputs of Sides; none where one is not good, or its tool touches the part."""
     found = []
     for side, each in zip(shared, inputs):
         turned = model if side.axis is None else orientation.turned_texts(model, side.axis, side.angle)
         found.append(assess(each, 3, whole=True))
-        if not found[-1].remains_good or room.touches(each, turned):
+        if not found[-1].remains_good or touches(each, turned):
             return []
     return found
 
