@@ -2306,7 +2306,7 @@ Spindel {:.0f}°</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished">Prüfen</translation>
+        <translation>Prüfen</translation>
     </message>
     <message>
         <source>height over the faces [{}]</source>
@@ -2334,19 +2334,19 @@ Spindel {:.0f}°</translation>
     </message>
     <message>
         <source>Walls of the part beside the faces are in the tool&apos;s way.</source>
-        <translation type="unfinished">Wände des Teils neben den Flächen sind dem Werkzeug im Weg.</translation>
+        <translation>Wände des Teils neben den Flächen sind dem Werkzeug im Weg.</translation>
     </message>
     <message>
         <source>Mill them in {} operations, the tool leant from each side</source>
-        <translation type="unfinished">In {} Operationen fräsen, das Werkzeug von jeder Seite geneigt</translation>
+        <translation>In {} Operationen fräsen, das Werkzeug von jeder Seite geneigt</translation>
     </message>
     <message>
         <source>Mill them in {} clampings, a job for each</source>
-        <translation type="unfinished">In {} Aufspannungen fräsen, mit je einem Auftrag</translation>
+        <translation>In {} Aufspannungen fräsen, mit je einem Auftrag</translation>
     </message>
     <message>
         <source>{}, margin {} beside walls</source>
-        <translation type="unfinished">{}, neben Wänden {} Rand</translation>
+        <translation>{}, neben Wänden {} Rand</translation>
     </message>
 </context>
 <context>

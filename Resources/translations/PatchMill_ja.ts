@@ -2306,7 +2306,7 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished">検査</translation>
+        <translation>検査</translation>
     </message>
     <message>
         <source>height over the faces [{}]</source>
@@ -2334,19 +2334,19 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     </message>
     <message>
         <source>Walls of the part beside the faces are in the tool&apos;s way.</source>
-        <translation type="unfinished">面の横にある部品の壁が工具の邪魔になります。</translation>
+        <translation>面の横にある部品の壁が工具の邪魔になります。</translation>
     </message>
     <message>
         <source>Mill them in {} operations, the tool leant from each side</source>
-        <translation type="unfinished">工具を各方向から傾け、{} 個の加工に分けて削る</translation>
+        <translation>工具を各方向から傾け、{} 個の加工に分けて削る</translation>
     </message>
     <message>
         <source>Mill them in {} clampings, a job for each</source>
-        <translation type="unfinished">{} 回の段取りに分け、それぞれ別のジョブで削る</translation>
+        <translation>{} 回の段取りに分け、それぞれ別のジョブで削る</translation>
     </message>
     <message>
         <source>{}, margin {} beside walls</source>
-        <translation type="unfinished">{}、壁の横の余白 {}</translation>
+        <translation>{}、壁の横の余白 {}</translation>
     </message>
 </context>
 <context>
