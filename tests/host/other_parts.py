@@ -92,6 +92,45 @@ def loft():
     return where(shape, lambda f: abs(f.normalAt(*_middle(f)).z) < 0.95)
 
 
+def torus_segment():
+    """The upper side of a quarter of a ring."""
+    return where(Part.makeTorus(14, 5, V(), V(0, 0, 1), 30, 150, 90), _is("Toroid"))
+
+
+def pipe_bend():
+    """All around a quarter of a ring: one setup reaches half."""
+    return where(Part.makeTorus(16, 4, V(), V(0, 0, 1), -180, 180, 90), _is("Toroid"))
+
+
+def cap_with_hole():
+    cap = quality_parts.dome(20.0, 0.6)
+    return where(cap.cut(Part.makeCylinder(2.5, 60, V(0, 0, -30))), _is("Sphere"))
+
+
+def dish():
+    """A shallow hollow of 24 mm."""
+    block = Part.makeCylinder(14, 6)
+    return where(block.cut(Part.makeSphere(40, V(0, 0, 44))), _is("Sphere"))
+
+
+def bent_plate():
+    """300 mm long, bent to a radius of 800."""
+    block = Part.makeBox(300, 60, 20, V(-150, -30, 0))
+    return where(block.common(Part.makeCylinder(800, 60, V(0, -30, -785), V(0, 1, 0))), _is("Cylinder"))
+
+
+def pocket(deep):
+    """The floor of a pocket of 20 by 14 mm."""
+    box = Part.makeBox(26, 20, 8)
+    shape = box.cut(Part.makeBox(20, 14, deep, V(3, 3, 8 - deep)))
+    return where(shape, lambda f: abs(f.CenterOfMass.z - 8 + deep) < 1e-6 and f.Area > 200)
+
+
+def _is(kind):
+    """Whether a face lies on a surface of that kind."""
+    return lambda face: face.Surface.TypeId == "Part::Geom" + kind
+
+
 def _middle(face):
     u0, u1, v0, v1 = face.ParameterRange
     return 0.5 * (u0 + u1), 0.5 * (v0 + v1)
@@ -128,6 +167,14 @@ PARTS = {
     "fillet": fillet,
     "saddle": saddle,
     "loft": loft,
+    "torus segment": torus_segment,
+    "pipe bend": pipe_bend,
+    "cap with a hole": cap_with_hole,
+    "dish": dish,
+    "bent plate of 300 mm": bent_plate,
+    "plate of two inches": lambda: top(quality_parts.plate(0.0, 2.0 * INCH, INCH)),
+    "rim of 1.5 mm": lambda: top(Part.makeCylinder(15, 4).cut(Part.makeCylinder(13.5, 4))),
+    "floor of a pocket": lambda: pocket(1.5),
     "torus": lambda: where(Part.makeTorus(14, 5), lambda f: True),
     "ball": lambda: where(Part.makeSphere(8), lambda f: True),
     "wing": of_file(OCCT / "occ/wing.brep"),

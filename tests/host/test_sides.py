@@ -37,14 +37,6 @@ def shaft(radius=4.0, height=5.0):
     return other_parts.where(shape, lambda f: f.Surface.TypeId == "Part::GeomCylinder")
 
 
-def pocket(deep):
-    """The floor of a pocket of 20 by 14 mm."""
-    box = Part.makeBox(26, 20, 8)
-    corner = FreeCAD.Vector(3, 3, 8 - deep)
-    shape = box.cut(Part.makeBox(20, 14, deep, corner))
-    return other_parts.where(shape, lambda f: abs(f.CenterOfMass.z - corner.z) < 1e-6 and f.Area > 200)
-
-
 class WithTexture(unittest.TestCase):
     def texture(self, part, machine):
         operation = one_click.texture(*part, machine)
@@ -188,7 +180,7 @@ class Walls(WithTexture):
 
     def test_of_a_pocket_no_remedy_cuts_the_walls(self):
         """What a margin leaves out for them is not good."""
-        operation = self.texture(pocket(0.8), "linuxcnc-mill")
+        operation = self.texture(other_parts.pocket(0.8), "linuxcnc-mill")
         found = one_click.remedies_of(operation, {"margin": 0.0})
         self.assertTrue(found and found[0].walled)
         self.assertLess(found[0].assessment.good_fraction, 0.8)
