@@ -88,6 +88,28 @@ def previews():
     driver.wait(lambda: not driver.panel_open())
 
 
+def patch_relief():
+    """From a plan that has just been made to the relief of its worst patch on the screen, and the longest
+    pause of the GUI thread meanwhile, on 120 x 80 mm."""
+    operation, panel = begun(driver.wavy_block(120.0, 80.0))
+    for spacing in (0.6, 0.5, 0.6):
+        driver.wait(lambda: panel.ready_now() and panel.scene.complete, 300)
+        driver.wait(lambda: not panel.advising.assessing.busy, 300)
+        panel.advising.helping.cancel()
+        driver.rest(0.5)
+        driver.set_quantity(panel, "Spacing", spacing)
+        driver.wait(lambda: panel.advising.assessing.busy, 300)
+        began, found = time.monotonic(), Pauses()
+        driver.wait(lambda: panel.scene.filled("relief"), 300)
+        found.timer.stop()
+        print(
+            "relief of the worst patch: shown after %.2f s, longest pause %.0f ms"
+            % (time.monotonic() - began, found.longest)
+        )
+    panel.reject()
+    driver.wait(lambda: not driver.panel_open())
+
+
 def relief(side=3163):
     """A relief of 10^7 points: made, shown, and turned."""
     operation, panel = begun(driver.wavy_block())
@@ -123,5 +145,6 @@ def _frame(view, height, k):
 def main():
     pauses()
     previews()
+    patch_relief()
     relief()
     return 0
