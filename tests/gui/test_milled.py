@@ -12,7 +12,7 @@ import hands
 import numpy as np
 from patchmill.path.milled_surface import milled_surface
 from patchmill.verify import checks
-from patchmill_gui.panels import milled_panel
+from patchmill_gui.views import milled_panel
 from PySide import QtGui
 
 

@@ -136,7 +136,7 @@ class Simulate(PanelCommand):
         return tool_paths.selected()
 
     def panel(self, operation):
-        from patchmill_gui.panels.milled_panel import MilledPanel
+        from patchmill_gui.views.milled_panel import MilledPanel
         from patchmill_gui.panels.simulate_panel import SimulatePanel
 
         if kinds.kind_of(operation) != kinds.TEXTURE:
