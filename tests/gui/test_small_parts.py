@@ -24,8 +24,22 @@ DELETED = "Internal C++ object (PySide2.QtWidgets.QWidget) already deleted."
 class Taken(QtGui.QWidget):
     """A widget that PySide takes for a deleted one."""
 
-    def objectName(self):
+    def metaObject(self):
         raise RuntimeError(DELETED)
+
+
+class TakenForALabel(QtGui.QWidget):
+    """A widget that PySide takes for one of another class, which had its address."""
+
+    def metaObject(self):
+        return QtGui.QLabel.staticMetaObject
+
+
+class OfATakenClass(QtGui.QWidget):
+    """A widget whose class itself is taken for something else."""
+
+    def metaObject(self):
+        raise AttributeError("no metaObject")
 
 
 class Living(driver.unittest.TestCase):
@@ -47,6 +61,16 @@ class Living(driver.unittest.TestCase):
         one, two, whole = Taken(), Taken(), QtGui.QWidget()
         self.assertIs(widgets.living(self.makes(one, two, whole)), whole)
         self.assertEqual(widgets._taken[self.before :], [one, two])
+
+    def test_one_of_another_class_is_left_taken(self):
+        one, two, whole = TakenForALabel(), OfATakenClass(), QtGui.QWidget()
+        self.assertIs(widgets.living(self.makes(one, two, whole)), whole)
+        self.assertEqual(widgets._taken[self.before :], [one, two])
+
+    def test_one_with_a_part_that_only_an_attribute_names(self):
+        form, whole = QtGui.QWidget(), QtGui.QWidget()
+        form.spacing = Taken()
+        self.assertIs(widgets.living(self.makes(form, whole)), whole)
 
     def test_one_with_such_a_part(self):
         outer, whole = QtGui.QWidget(), QtGui.QWidget()
