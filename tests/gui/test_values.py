@@ -127,10 +127,12 @@ class Values(driver.BlockTest):
         said = texture_head.remedy_text(Remedy("finer", {"spacing": 0.12}, found))
         self.assertIn("spacing 0.004724 in", said)
         _, panel = driver.begin_texture(self.part)
-        panel.advising._helped(([], (0.05, 0.11), None))
+        panel.advising._helped(([], (0.05, 0.11), None, False))
         self.assertIn("radius of 0.001969 in; the ball of 0.004331 in", panel.advising.head.hint.text())
-        panel.advising._helped(([], None, (0.15, 3.0)))
+        panel.advising._helped(([], None, (0.15, 3.0), False))
         self.assertIn("about 0.005906 in wide", panel.advising.head.hint.text())
+        panel.advising._helped(([], None, None, True))
+        self.assertIn("Walls of the part", panel.advising.head.hint.text())
 
     def test_an_error_at_its_field_is_in_the_users_units(self):
         rows = self.begin(INCHES)
