@@ -124,15 +124,26 @@ class Soak:
         area.setActiveSubWindow(self.chance.choice(windows))
         return True
 
+    @staticmethod
+    def ours():
+        """The operations and modifiers of ours in the active document."""
+        document = FreeCAD.ActiveDocument
+        return [o for o in document.Objects if tool_paths.is_ours(o)] if document else []
+
+    def choose_operation(self):
+        """Selects one of ours; returns whether there is one."""
+        found = self.ours()
+        if found:
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelection(self.chance.choice(found))
+        return bool(found)
+
     def command(self):
         """On the part's top face, or on an operation."""
         document = FreeCAD.ActiveDocument
-        found = [o for o in document.Objects if tool_paths.is_ours(o)] if document else []
         part = document.getObject("Part") if document else None
-        if found and self.chance.random() < 0.5:
-            FreeCADGui.Selection.clearSelection()
-            FreeCADGui.Selection.addSelection(self.chance.choice(found))
-        elif part is not None:
+        chosen = self.chance.random() < 0.5 and self.choose_operation()
+        if not chosen and part is not None:
             driver.select(part, driver.top_face(part.Shape))
         active = [name for name in COMMANDS if FreeCADGui.Command.get(name).isActive()]
         if not active:
@@ -142,8 +153,7 @@ class Soak:
 
     def edit(self):
         """As a double click on an operation in the tree."""
-        document = FreeCAD.ActiveDocument
-        found = [o for o in document.Objects if tool_paths.is_ours(o)] if document else []
+        found = self.ours()
         if not found:
             return False
         view = self.chance.choice(found).ViewObject
@@ -152,12 +162,8 @@ class Soak:
 
     def delete(self):
         """By the command, of an operation."""
-        document = FreeCAD.ActiveDocument
-        found = [o for o in document.Objects if tool_paths.is_ours(o)] if document else []
-        if not found or FreeCADGui.Control.activeDialog():
+        if FreeCADGui.Control.activeDialog() or not self.choose_operation():
             return False
-        FreeCADGui.Selection.clearSelection()
-        FreeCADGui.Selection.addSelection(self.chance.choice(found))
         FreeCADGui.runCommand("Std_Delete")
         return True
 
