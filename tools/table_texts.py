@@ -1,5 +1,6 @@
-"""Writes the texts of the property tables, of dimples' states and of machine files for Qt's lupdate, which
-finds only what is written in a call (see tools/translations):
+"""Writes the texts of the property tables, of dimples' states, of machine files and of errors for Qt's
+lupdate, which finds only what is written in a call (see tools/translations), and a list of those of errors,
+by which they are known again when they are said:
 
     tools/freecad tools/table_texts.py
 
@@ -8,6 +9,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import json
 import pathlib
+import sys
 
 import _patchmill as core
 from patchmill.machine import machine_table, machines
@@ -18,7 +20,12 @@ from patchmill.operations.pyramid_texture import ObjectPyramidTexture
 from patchmill.operations.texture_operation import ObjectTexture
 from patchmill.properties.property_table import ENUMERATION, label_of
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+import sentence_texts  # noqa: E402
+
 FILE = pathlib.Path(__file__).resolve().parents[1] / "Resources" / "translations" / "table_texts.js"
+SENTENCES = FILE.with_name("sentences.txt")
 TABLES = (
     ObjectTexture.properties(),
     ObjectPlanarTexture.OWN_PROPERTIES,
@@ -57,6 +64,12 @@ HEAD = """// Texts that are shown from tables: made by tools/table_texts.py for 
 
 def texts():
     """Pairs (context, text) in a fixed order, each once."""
+    errors = [("PatchMill", sentence) for sentence in sentence_texts.sentences()]
+    return list(dict.fromkeys(table_texts() + errors))
+
+
+def table_texts():
+    """Those of tables."""
     found = []
     for table in TABLES:
         for kind, name, group, tip, default in table:
@@ -68,7 +81,12 @@ def texts():
     found += [("PatchMill", name) for name in SIMULATED]
     for key in machines.names():
         found += [("PatchMill", row.label) for row in machine_table.rows(machines.load(key).data)]
-    return list(dict.fromkeys(found))
+    return found
+
+
+def text_of_sentences():
+    """What is in SENTENCES."""
+    return "".join(sentence + "\n" for sentence in sentence_texts.sentences())
 
 
 def text_of_file():
@@ -83,3 +101,4 @@ def _call(context, text):
 if __name__ == "__main__":
     FILE.parent.mkdir(exist_ok=True)
     FILE.write_text(text_of_file(), encoding="utf-8")
+    SENTENCES.write_text(text_of_sentences(), encoding="utf-8")

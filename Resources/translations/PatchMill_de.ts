@@ -2348,6 +2348,1630 @@ Spindel {:.0f}°</translation>
         <source>{}, margin {} beside walls</source>
         <translation>{}, neben Wänden {} Rand</translation>
     </message>
+    <message>
+        <source>--program-number={}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD posts what has ToolController and Active: take it out of the job.</source>
+        <translation>FreeCAD postet, was ToolController und Active hat: Es aus dem Job nehmen.</translation>
+    </message>
+    <message>
+        <source>FreeCAD refused it: check its job, base faces and tool.</source>
+        <translation>FreeCAD hat sie abgelehnt: Job, Flächen und Werkzeug prüfen.</translation>
+    </message>
+    <message>
+        <source>FreeCAD takes a tool controller of number 0 for none: give {} another.</source>
+        <translation>FreeCAD hält eine Werkzeugsteuerung mit der Nummer 0 für keine: {} eine andere geben.</translation>
+    </message>
+    <message>
+        <source>FreeCAD would read it otherwise: write words of a letter and a number, each letter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s paths are in millimetres: take it out.</source>
+        <translation>Bahnen von FreeCAD sind in Millimetern: Das Wort herausnehmen.</translation>
+    </message>
+    <message>
+        <source>TCP is on</source>
+        <translation>TCP ist eingeschaltet</translation>
+    </message>
+    <message>
+        <source>TCP is {} in line {}</source>
+        <translation>TCP ist {} in Zeile {}</translation>
+    </message>
+    <message>
+        <source>a ball end mill alone can be seen so: choose one.</source>
+        <translation>So lässt sich nur ein Kugelfräser ansehen: Einen wählen.</translation>
+    </message>
+    <message>
+        <source>a ball of radius {} mm leaves untouched material between marks so far apart: choose less, a smaller cross-feed or a larger ball.</source>
+        <translation>Eine Kugel vom Radius {} mm lässt zwischen so weit entfernten Spuren Material stehen: Weniger, einen kleineren Bahnabstand oder eine größere Kugel wählen.</translation>
+    </message>
+    <message>
+        <source>a curved base needs {} of each, a flat one none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cut needs a feed greater than zero: give it one here.</source>
+        <translation>Ein Schnitt braucht einen Vorschub größer als null: Hier einen angeben.</translation>
+    </message>
+    <message>
+        <source>a drilling cycle goes from R down to Z.</source>
+        <translation>Ein Bohrzyklus geht von R hinunter nach Z.</translation>
+    </message>
+    <message>
+        <source>a grid needs at least one cell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a lead of {} mm in line {}</source>
+        <translation>eine Steigung von {} mm in Zeile {}</translation>
+    </message>
+    <message>
+        <source>a live session cuts scanning lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a locked path needs no fitting.</source>
+        <translation>Eine an die Spindel gekoppelte Bahn braucht keine Anpassung.</translation>
+    </message>
+    <message>
+        <source>a loop of {} points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a move turns the spindle forward.</source>
+        <translation>Eine Bewegung dreht die Spindel vorwärts.</translation>
+    </message>
+    <message>
+        <source>a move without feed</source>
+        <translation>eine Bewegung ohne Vorschub</translation>
+    </message>
+    <message>
+        <source>a paced path needs two dimples at least: see the counts of those left out, and change the faces, the limits or the tool axis.</source>
+        <translation>Eine getaktete Bahn braucht mindestens zwei Mulden: Die Zahl der ausgelassenen ansehen und die Flächen, die Grenzen oder die Werkzeugachse ändern.</translation>
+    </message>
+    <message>
+        <source>a patch of side {} mm would have {} laps: choose a larger cross-feed.</source>
+        <translation>Ein Feld mit {} mm Seite hätte {} Umläufe: Einen größeren Bahnabstand wählen.</translation>
+    </message>
+    <message>
+        <source>a patch would have {} marks: choose a larger feed per tooth.</source>
+        <translation>Ein Feld hätte {} Spuren: Einen größeren Vorschub je Zahn wählen.</translation>
+    </message>
+    <message>
+        <source>a path in FreeCAD needs one G or M word here.</source>
+        <translation>Eine Bahn in FreeCAD braucht hier ein G- oder M-Wort.</translation>
+    </message>
+    <message>
+        <source>a peck greater than zero is needed.</source>
+        <translation>Das Ausspanen braucht eine Tiefe größer als null.</translation>
+    </message>
+    <message>
+        <source>a recording has its machine in it: leave it out.</source>
+        <translation>Eine Aufzeichnung enthält ihre Maschine: Sie weglassen.</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns in a G33 block, which {} cannot: keep one tool axis for the whole texture, or use feed per move.</source>
+        <translation>Eine Drehachse dreht sich in einem G33-Satz, was {} nicht kann: Für die ganze Textur eine Werkzeugachse behalten oder Vorschub je Satz benutzen.</translation>
+    </message>
+    <message>
+        <source>a section goes upward from 0 or more, has radii of 0 or more, and all are at most 1e6 mm.</source>
+        <translation>Ein Abschnitt geht von 0 oder mehr nach oben, hat Radien von 0 oder mehr, und alles ist höchstens 1e6 mm.</translation>
+    </message>
+    <message>
+        <source>a shape without faces</source>
+        <translation>eine Form ohne Flächen</translation>
+    </message>
+    <message>
+        <source>a spindle-locked move needs a way of the programmed point: rotary axes alone cannot be locked.</source>
+        <translation>Eine an die Spindel gekoppelte Bewegung braucht einen Weg des programmierten Punkts: Drehachsen allein lassen sich nicht koppeln.</translation>
+    </message>
+    <message>
+        <source>a spindle-locked move needs more turns than its corner roundings take.</source>
+        <translation>Eine an die Spindel gekoppelte Bewegung braucht mehr Umdrehungen als ihre Eckenrundungen.</translation>
+    </message>
+    <message>
+        <source>a stop would end the spindle&apos;s lock: post each patch as a file of its own (patches=1).</source>
+        <translation>Ein Halt würde die Kopplung an die Spindel beenden: Jedes Feld als eigene Datei posten (patches=1).</translation>
+    </message>
+    <message>
+        <source>a texture on the surface begins there, and no face can be cut there: move it.</source>
+        <translation>Dort beginnt eine Textur auf der Fläche, und dort lässt sich keine Fläche fräsen: Den Ursprung verschieben.</translation>
+    </message>
+    <message>
+        <source>a texture path</source>
+        <translation>die Bahn einer Textur</translation>
+    </message>
+    <message>
+        <source>a texture&apos;s feed is its timing and its axis sets the phase: choose another operation.</source>
+        <translation>Der Vorschub einer Textur ist ihr Takt, und ihre Achse bestimmt die Phase: Eine andere Operation wählen.</translation>
+    </message>
+    <message>
+        <source>a timed move needs more than no turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a vertex at infinity</source>
+        <translation>eine Ecke im Unendlichen</translation>
+    </message>
+    <message>
+        <source>about {} dimples are more than the limit of {}: choose a larger spacing or a smaller area.</source>
+        <translation>Etwa {} Mulden sind mehr als die Grenze von {}: Einen größeren Abstand oder eine kleinere Fläche wählen.</translation>
+    </message>
+    <message>
+        <source>about {} dimples are more than the limit of {}: choose a larger spacing or fewer faces.</source>
+        <translation>Etwa {} Mulden sind mehr als die Grenze von {}: Einen größeren Abstand oder weniger Flächen wählen.</translation>
+    </message>
+    <message>
+        <source>all that follows would be read by it: take it out of the preamble.</source>
+        <translation>Alles Folgende würde danach gelesen: Es aus dem Vorspann nehmen.</translation>
+    </message>
+    <message>
+        <source>an arc needs its centre by I and J, in the XY plane.</source>
+        <translation>Ein Kreisbogen braucht seinen Mittelpunkt mit I und J in der XY-Ebene.</translation>
+    </message>
+    <message>
+        <source>an edge without a curve</source>
+        <translation>eine Kante ohne Kurve</translation>
+    </message>
+    <message>
+        <source>an open shell, {} unmatched edges</source>
+        <translation>eine offene Schale, {} Kanten ohne Gegenstück</translation>
+    </message>
+    <message>
+        <source>an upright operation follows, and the machine&apos;s file does not say where the tool is clear of a turning table: give retract_mm there, or bring them back to zero in the operation that turns them.</source>
+        <translation>Es folgt eine Operation mit aufrechtem Werkzeug, und die Maschinendatei sagt nicht, wo das Werkzeug über einem drehenden Tisch frei ist: Dort retract_mm angeben, oder die Achsen in der Operation, die sie dreht, auf null zurückbringen.</translation>
+    </message>
+    <message>
+        <source>an upright shank would cut the overhang: put a DCM modifier with posture on {}.</source>
+        <translation>Ein aufrechter Schaft würde in den Überhang schneiden: Auf {} einen DCM-Modifikator mit Haltung setzen.</translation>
+    </message>
+    <message>
+        <source>another operation leaves this, not its tool&apos;s length: end that one by G43 H{}.</source>
+        <translation>Eine andere Operation hinterlässt dies, nicht die Länge ihres Werkzeugs: Jene mit G43 H{} enden lassen.</translation>
+    </message>
+    <message>
+        <source>at most about {} million are made: give {} mm or more.</source>
+        <translation>Es werden höchstens etwa {} Millionen gemacht: {} mm oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>at this spacing it takes dimples of {} mm, wider than the ball: choose a larger ball or a smaller spacing.</source>
+        <translation>Bei diesem Abstand braucht es Mulden von {} mm, breiter als die Kugel: Eine größere Kugel oder einen kleineren Abstand wählen.</translation>
+    </message>
+    <message>
+        <source>axis {} would leave its limits by {} mm.</source>
+        <translation>Die Achse {} überschritte ihre Grenzen um {} mm.</translation>
+    </message>
+    <message>
+        <source>byte {} is no UTF-8: save the file as UTF-8.</source>
+        <translation>Byte {} ist kein UTF-8: Die Datei als UTF-8 speichern.</translation>
+    </message>
+    <message>
+        <source>byte {} is zero, as in UTF-16 and in what is no text: save the file as plain text.</source>
+        <translation>Byte {} ist null, wie in UTF-16 und in anderem als Text: Die Datei als reinen Text speichern.</translation>
+    </message>
+    <message>
+        <source>choose 3, 4 or 6: other regular polygons do not cover a face.</source>
+        <translation>3, 4 oder 6 wählen: Andere regelmäßige Vielecke decken keine Fläche.</translation>
+    </message>
+    <message>
+        <source>choose a DCM modifier, or none.</source>
+        <translation>Einen DCM-Modifikator wählen, oder keinen.</translation>
+    </message>
+    <message>
+        <source>choose a texture, copy milling or a DCM modifier.</source>
+        <translation>Eine Textur, ein Kopierfräsen oder einen DCM-Modifikator wählen.</translation>
+    </message>
+    <message>
+        <source>choose a work offset in the job&apos;s setup, such as G54.</source>
+        <translation>Im Setup des Jobs eine Nullpunktverschiebung wählen, etwa G54.</translation>
+    </message>
+    <message>
+        <source>choose an operation or a dressup of a job.</source>
+        <translation>Eine Operation oder eine Aufbereitung eines Jobs wählen.</translation>
+    </message>
+    <message>
+        <source>choose faces that have an inside.</source>
+        <translation>Flächen wählen, die ein Inneres haben.</translation>
+    </message>
+    <message>
+        <source>choose it so that each axis gets 1 to 32,768 voxels.</source>
+        <translation>So wählen, dass jede Achse 1 bis 32.768 Voxel bekommt.</translation>
+    </message>
+    <message>
+        <source>choose square or staggered.</source>
+        <translation>Quadratisch oder versetzt wählen.</translation>
+    </message>
+    <message>
+        <source>choose the coolant in the operations that want it: their Coolant says Flood or Mist.</source>
+        <translation>Das Kühlmittel in den Operationen wählen, die es brauchen: Ihr Coolant sagt Flood oder Mist.</translation>
+    </message>
+    <message>
+        <source>corner {} of {} vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>count from 0, the first dimple.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dimples {} and {} are at one place on the program&apos;s decimals.</source>
+        <translation>Die Mulden {} und {} liegen mit den Nachkommastellen des Programms an einem Ort.</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>empty or infinite</source>
+        <translation>leer oder unendlich</translation>
+    </message>
+    <message>
+        <source>enlarge it: there would be more than ten million passes.</source>
+        <translation>Ihn vergrößern: Es gäbe mehr als zehn Millionen Durchgänge.</translation>
+    </message>
+    <message>
+        <source>enlarge the tolerance.</source>
+        <translation>Die Toleranz vergrößern.</translation>
+    </message>
+    <message>
+        <source>every lattice point was left out ({}): {}.</source>
+        <translation>Alle Gitterpunkte wurden ausgelassen ({}): {}.</translation>
+    </message>
+    <message>
+        <source>every lattice point was left out: see the counts by reason, and change the faces, the limits or the tool axis.</source>
+        <translation>Alle Gitterpunkte wurden ausgelassen: Die Zahlen nach Gründen ansehen und die Flächen, die Grenzen oder die Werkzeugachse ändern.</translation>
+    </message>
+    <message>
+        <source>every mark was left out: see the counts by reason, and change the faces, the limits or the tool axis.</source>
+        <translation>Alle Spuren wurden ausgelassen: Die Zahlen nach Gründen ansehen und die Flächen, die Grenzen oder die Werkzeugachse ändern.</translation>
+    </message>
+    <message>
+        <source>explicit steps are stable up to r = {}: use at most {} s, or allow sub-steps.</source>
+        <translation>Explizite Schritte sind bis r = {} stabil: Höchstens {} s nehmen oder Teilschritte erlauben.</translation>
+    </message>
+    <message>
+        <source>faces without area</source>
+        <translation>Flächen ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>give 0 &lt;= from &lt; to and diameters of 0 or more.</source>
+        <translation>0 &lt;= von &lt; bis und Durchmesser von 0 oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>give 0 or at least FeedAtSkin.</source>
+        <translation>0 oder mindestens den Vorschub an der Rohteilhaut angeben.</translation>
+    </message>
+    <message>
+        <source>give 0 or more.</source>
+        <translation>0 oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>give 0 to {} decimals.</source>
+        <translation>0 bis {} Nachkommastellen angeben.</translation>
+    </message>
+    <message>
+        <source>give 0, 1 or 2 for x, y or z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give 1 or more.</source>
+        <translation>1 oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>give 255 at most.</source>
+        <translation>Höchstens 255 angeben.</translation>
+    </message>
+    <message>
+        <source>give A, B or C.</source>
+        <translation>A, B oder C angeben.</translation>
+    </message>
+    <message>
+        <source>give Projected or On surface.</source>
+        <translation>„Projiziert“ oder „Auf der Fläche“ angeben.</translation>
+    </message>
+    <message>
+        <source>give a closed solid; mend the gaps or the flipped triangles.</source>
+        <translation>Einen geschlossenen Körper angeben; die Lücken oder die gewendeten Dreiecke ausbessern.</translation>
+    </message>
+    <message>
+        <source>give a depth greater than zero.</source>
+        <translation>Eine Tiefe größer als null angeben.</translation>
+    </message>
+    <message>
+        <source>give a direction: finite, and not zero.</source>
+        <translation>Eine Richtung angeben: endlich und nicht null.</translation>
+    </message>
+    <message>
+        <source>give a factor greater than zero.</source>
+        <translation>Einen Faktor größer als null angeben.</translation>
+    </message>
+    <message>
+        <source>give a finite vector other than zero; a voxel model has none inside the part.</source>
+        <translation>Einen endlichen Vektor ungleich null angeben; ein Voxelmodell hat im Inneren des Teils keinen.</translation>
+    </message>
+    <message>
+        <source>give a finite vector that is not zero.</source>
+        <translation>Einen endlichen Vektor ungleich null angeben.</translation>
+    </message>
+    <message>
+        <source>give a function of positions and normals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a height above 0 and up to the ball&apos;s radius, {} mm.</source>
+        <translation>Eine Höhe über 0 und bis zum Kugelradius angeben, {} mm.</translation>
+    </message>
+    <message>
+        <source>give a length greater than zero.</source>
+        <translation>Eine Länge größer als null angeben.</translation>
+    </message>
+    <message>
+        <source>give a name, a factor on the feed, and a depth in mm or the name of a solid, such as &apos;skin 0.6 1.5&apos;.</source>
+        <translation>Einen Namen, einen Faktor auf den Vorschub und eine Tiefe in mm oder den Namen eines Körpers angeben, etwa &apos;skin 0.6 1.5&apos;.</translation>
+    </message>
+    <message>
+        <source>give a number of decimals, such as 3.</source>
+        <translation>Eine Anzahl von Nachkommastellen angeben, etwa 3.</translation>
+    </message>
+    <message>
+        <source>give a number.</source>
+        <translation>Eine Zahl angeben.</translation>
+    </message>
+    <message>
+        <source>give a path of this texture&apos;s plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a path whose moves are all timed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a positive jerk in mm/s³, or leave it out for none.</source>
+        <translation>Einen positiven Ruck in mm/s³ angeben, oder ihn für keinen weglassen.</translation>
+    </message>
+    <message>
+        <source>give a shape with faces.</source>
+        <translation>Eine Form mit Flächen angeben.</translation>
+    </message>
+    <message>
+        <source>give a size greater than zero.</source>
+        <translation>Eine Größe größer als null angeben.</translation>
+    </message>
+    <message>
+        <source>give a solid whose surface faces outwards.</source>
+        <translation>Einen Körper angeben, dessen Oberfläche nach außen weist.</translation>
+    </message>
+    <message>
+        <source>give a solid with a tessellated surface.</source>
+        <translation>Einen Körper mit vernetzter Oberfläche angeben.</translation>
+    </message>
+    <message>
+        <source>give a stock larger than the part, or smaller voxels.</source>
+        <translation>Ein Rohteil angeben, das größer als das Teil ist, oder kleinere Voxel.</translation>
+    </message>
+    <message>
+        <source>give a stock with length, width and height.</source>
+        <translation>Ein Rohteil mit Länge, Breite und Höhe angeben.</translation>
+    </message>
+    <message>
+        <source>give a tessellated surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a texture of the job.</source>
+        <translation>Eine Textur des Jobs angeben.</translation>
+    </message>
+    <message>
+        <source>give a value from 0 to 90 degrees.</source>
+        <translation>Einen Wert von 0 bis 90 Grad angeben.</translation>
+    </message>
+    <message>
+        <source>give a value from {} to {} {}.</source>
+        <translation>Einen Wert von {} bis {} {} angeben.</translation>
+    </message>
+    <message>
+        <source>give a vector other than zero.</source>
+        <translation>Einen Vektor ungleich null angeben.</translation>
+    </message>
+    <message>
+        <source>give a whole multiple of {} turn, so that a flute is at the contact point again.</source>
+        <translation>Ein ganzes Vielfaches von {} Umdrehungen angeben, damit wieder eine Schneide am Berührpunkt ist.</translation>
+    </message>
+    <message>
+        <source>give a whole number, from 1.</source>
+        <translation>Eine ganze Zahl ab 1 angeben.</translation>
+    </message>
+    <message>
+        <source>give an angle above 0° and up to 90°.</source>
+        <translation>Einen Winkel über 0° und bis 90° angeben.</translation>
+    </message>
+    <message>
+        <source>give an area with finite corners.</source>
+        <translation>Eine Fläche mit endlichen Ecken angeben.</translation>
+    </message>
+    <message>
+        <source>give an operation of PatchMill.</source>
+        <translation>Eine Operation von PatchMill angeben.</translation>
+    </message>
+    <message>
+        <source>give at least 0 and less than {} degrees.</source>
+        <translation>Mindestens 0 und weniger als {} Grad angeben.</translation>
+    </message>
+    <message>
+        <source>give at least the lower feed.</source>
+        <translation>Mindestens den unteren Vorschub angeben.</translation>
+    </message>
+    <message>
+        <source>give at least the safe height, {} mm.</source>
+        <translation>Mindestens die Sicherheitshöhe angeben, {} mm.</translation>
+    </message>
+    <message>
+        <source>give closed loops of at least three finite points.</source>
+        <translation>Geschlossene Kurven mit mindestens drei endlichen Punkten angeben.</translation>
+    </message>
+    <message>
+        <source>give each axis its own.</source>
+        <translation>Jeder Achse einen eigenen geben.</translation>
+    </message>
+    <message>
+        <source>give either the feed per tooth or the ridge height.</source>
+        <translation>Entweder den Vorschub je Zahn oder die Grathöhe angeben.</translation>
+    </message>
+    <message>
+        <source>give finite ((x, y) least, (x, y) greatest) in mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give finite numbers.</source>
+        <translation>Endliche Zahlen angeben.</translation>
+    </message>
+    <message>
+        <source>give finite rows (time, x, y, z, spindle azimuth).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give finite vertices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give four numbers: from, to, two diameters.</source>
+        <translation>Vier Zahlen angeben: von, bis, zwei Durchmesser.</translation>
+    </message>
+    <message>
+        <source>give how many a file has at most, or 0.</source>
+        <translation>Angeben, wie viele eine Datei höchstens hat, oder 0.</translation>
+    </message>
+    <message>
+        <source>give it.</source>
+        <translation>Es angeben.</translation>
+    </message>
+    <message>
+        <source>give more than 0 and at most {} degrees.</source>
+        <translation>Mehr als 0 und höchstens {} Grad angeben.</translation>
+    </message>
+    <message>
+        <source>give more than zero and less than the part&apos;s width.</source>
+        <translation>Mehr als null und weniger als die Breite des Teils angeben.</translation>
+    </message>
+    <message>
+        <source>give more than zero and no more than FeedAtSkin, {} mm/min.</source>
+        <translation>Mehr als null und nicht mehr als den Vorschub an der Rohteilhaut angeben, {} mm/min.</translation>
+    </message>
+    <message>
+        <source>give no less than FirstPatch, {}.</source>
+        <translation>Nicht weniger als das erste Feld angeben, {}.</translation>
+    </message>
+    <message>
+        <source>give numbers of zero or more.</source>
+        <translation>Zahlen ab null angeben.</translation>
+    </message>
+    <message>
+        <source>give one for each flute, or none.</source>
+        <translation>Je Schneide einen Wert angeben, oder keinen.</translation>
+    </message>
+    <message>
+        <source>give one for each of the {} dimples.</source>
+        <translation>Für jede der {} Mulden einen angeben.</translation>
+    </message>
+    <message>
+        <source>give one for each of the {} {}.</source>
+        <translation>Für jedes der {} {} eins angeben.</translation>
+    </message>
+    <message>
+        <source>give one for each text.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one for the start and one per move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one for the stock and one for each material.</source>
+        <translation>Einen für das Rohteil und einen für jeden Werkstoff angeben.</translation>
+    </message>
+    <message>
+        <source>give one greater than zero.</source>
+        <translation>Einen größer als null angeben.</translation>
+    </message>
+    <message>
+        <source>give one of path, program and samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one of the lattice&apos;s {} steps.</source>
+        <translation>Einen der {} Schritte des Gitters angeben.</translation>
+    </message>
+    <message>
+        <source>give one of: {}.</source>
+        <translation>Eins davon angeben: {}.</translation>
+    </message>
+    <message>
+        <source>give one role and one value per field for each of the grid&apos;s {} cells.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one value for each pixel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the least corner first.</source>
+        <translation>Zuerst die kleinere Ecke angeben.</translation>
+    </message>
+    <message>
+        <source>give the least corner first; all sides must be longer than zero.</source>
+        <translation>Zuerst die kleinere Ecke angeben; alle Seiten müssen länger als null sein.</translation>
+    </message>
+    <message>
+        <source>give the lower limit first.</source>
+        <translation>Zuerst die untere Grenze angeben.</translation>
+    </message>
+    <message>
+        <source>give the name of a post-processor.</source>
+        <translation>Den Namen eines Postprozessors angeben.</translation>
+    </message>
+    <message>
+        <source>give three finite numbers.</source>
+        <translation>Drei endliche Zahlen angeben.</translation>
+    </message>
+    <message>
+        <source>give triangles whose corners are vertices of the mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give two different finite corners.</source>
+        <translation>Zwei verschiedene endliche Ecken angeben.</translation>
+    </message>
+    <message>
+        <source>give two rotary axes at most.</source>
+        <translation>Höchstens zwei Drehachsen angeben.</translation>
+    </message>
+    <message>
+        <source>give two vectors that are not parallel.</source>
+        <translation>Zwei Vektoren angeben, die nicht parallel sind.</translation>
+    </message>
+    <message>
+        <source>give values from 0 to 1.</source>
+        <translation>Werte von 0 bis 1 angeben.</translation>
+    </message>
+    <message>
+        <source>give whole numbers of rpm greater than zero.</source>
+        <translation>Ganze Drehzahlen in 1/min größer als null angeben.</translation>
+    </message>
+    <message>
+        <source>give zero or more.</source>
+        <translation>Null oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>give {} mm or more.</source>
+        <translation>{} mm oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>give {} more than zero.</source>
+        <translation>Für {} mehr als null angeben.</translation>
+    </message>
+    <message>
+        <source>give {} the width of its flat tip, more than 0.</source>
+        <translation>{} die Breite der flachen Spitze geben, mehr als 0.</translation>
+    </message>
+    <message>
+        <source>in the free form every flute leaves a mark: allow any.</source>
+        <translation>In der freien Form hinterlässt jede Schneide eine Spur: Jede zulassen.</translation>
+    </message>
+    <message>
+        <source>in the free form the phase follows from the feed: choose &apos;{}&apos;.</source>
+        <translation>In der freien Form folgt die Phase aus dem Vorschub: „{}“ wählen.</translation>
+    </message>
+    <message>
+        <source>invalid</source>
+        <translation>ungültig</translation>
+    </message>
+    <message>
+        <source>it belongs to no job: choose one that does.</source>
+        <translation>Sie gehört zu keinem Job: Eine wählen, die zu einem gehört.</translation>
+    </message>
+    <message>
+        <source>it can be one of trivkins, {}: take a machine file of that kind and change it.</source>
+        <translation>Möglich sind trivkins, {}: Eine Maschinendatei dieser Art nehmen und ändern.</translation>
+    </message>
+    <message>
+        <source>it cannot be read ({}): give another file.</source>
+        <translation>Sie lässt sich nicht lesen ({}): Eine andere Datei angeben.</translation>
+    </message>
+    <message>
+        <source>it cannot be read ({}): save it as PNG.</source>
+        <translation>Es lässt sich nicht lesen ({}): Es als PNG speichern.</translation>
+    </message>
+    <message>
+        <source>it cannot be taken away ({}): change the folder&apos;s permissions.</source>
+        <translation>Sie lässt sich nicht löschen ({}): Die Rechte des Ordners ändern.</translation>
+    </message>
+    <message>
+        <source>it cannot be with a tilted tool, whose moves are in inverse time: set Controls to Feed.</source>
+        <translation>Mit geneigtem Werkzeug, dessen Bewegungen in inverser Zeit stehen, geht es nicht: „Regelt“ auf Vorschub setzen.</translation>
+    </message>
+    <message>
+        <source>it cannot be written ({}): give another file.</source>
+        <translation>Sie lässt sich nicht schreiben ({}): Eine andere Datei angeben.</translation>
+    </message>
+    <message>
+        <source>it could not be written: make room or choose a folder.</source>
+        <translation>Sie ließ sich nicht schreiben: Platz schaffen oder einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>it does not keep {}{} of {}: use one of PatchMill&apos;s own posts.</source>
+        <translation>Er behält {}{} von {} nicht: Einen der Postprozessoren von PatchMill benutzen.</translation>
+    </message>
+    <message>
+        <source>it does not take the arguments {}: change them, or use another post-processor.</source>
+        <translation>Er nimmt die Argumente {} nicht: Sie ändern oder einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>it failed ({}): use another post-processor.</source>
+        <translation>Er ist gescheitert ({}): Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>it failed in a way that FreeCAD&apos;s report view tells.</source>
+        <translation>Sie ist auf eine Weise gescheitert, die FreeCADs Ausgabefenster nennt.</translation>
+    </message>
+    <message>
+        <source>it has an error, so that nothing after it is computed: mend it.</source>
+        <translation>Sie hat einen Fehler, so dass nichts nach ihr berechnet wird: Ihn beheben.</translation>
+    </message>
+    <message>
+        <source>it has more than {} bytes: give a smaller file.</source>
+        <translation>Sie hat mehr als {} Byte: Eine kleinere Datei angeben.</translation>
+    </message>
+    <message>
+        <source>it has no moves: recompute it.</source>
+        <translation>Sie hat keine Bewegungen: Sie neu berechnen.</translation>
+    </message>
+    <message>
+        <source>it has no path: take it out of the job&apos;s operations.</source>
+        <translation>Sie hat keine Bahn: Sie aus den Operationen des Jobs nehmen.</translation>
+    </message>
+    <message>
+        <source>it has no posture.</source>
+        <translation>Sie hat keine Haltung.</translation>
+    </message>
+    <message>
+        <source>it has no rotary axes: choose a machine that has, or only Feed.</source>
+        <translation>Sie hat keine Drehachsen: Eine Maschine mit Drehachsen wählen, oder nur Vorschub.</translation>
+    </message>
+    <message>
+        <source>it has no surface: repair the shape.</source>
+        <translation>Sie hat keine Oberfläche: Die Form in Ordnung bringen.</translation>
+    </message>
+    <message>
+        <source>it has no wires: choose sketches or wires.</source>
+        <translation>Sie hat keine Drähte: Skizzen oder Drähte wählen.</translation>
+    </message>
+    <message>
+        <source>it includes itself.</source>
+        <translation>Sie schließt sich selbst ein.</translation>
+    </message>
+    <message>
+        <source>it is a device or a pipe, not a file: give another one.</source>
+        <translation>Sie ist ein Gerät oder eine Pipe, keine Datei: Eine andere angeben.</translation>
+    </message>
+    <message>
+        <source>it is a device or a pipe, not a file: name another one.</source>
+        <translation>Sie ist ein Gerät oder eine Pipe, keine Datei: Eine andere nennen.</translation>
+    </message>
+    <message>
+        <source>it is empty: give the program of this job.</source>
+        <translation>Es ist leer: Das Programm dieses Jobs angeben.</translation>
+    </message>
+    <message>
+        <source>it is gone: choose a face again.</source>
+        <translation>Sie ist nicht mehr da: Eine Fläche neu wählen.</translation>
+    </message>
+    <message>
+        <source>it is inside out, its faces look into it: reverse the shape, or make the solid again.</source>
+        <translation>Er ist umgestülpt, seine Flächen blicken nach innen: Die Form umkehren oder den Körper neu erzeugen.</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply.</source>
+        <translation>Sie ist zu tief verschachtelt.</translation>
+    </message>
+    <message>
+        <source>it is no LinuxCNC configuration: it says nothing of axes.</source>
+        <translation>Es ist keine Konfiguration von LinuxCNC: Sie nennt keine Achsen.</translation>
+    </message>
+    <message>
+        <source>it is no work offset of a control: choose G54 to G59.3 in the job&apos;s setup.</source>
+        <translation>Sie ist keine Nullpunktverschiebung einer Steuerung: Im Setup des Jobs G54 bis G59.3 wählen.</translation>
+    </message>
+    <message>
+        <source>it is not in the job {}: choose faces of {}.</source>
+        <translation>Es ist nicht im Job {}: Flächen von {} wählen.</translation>
+    </message>
+    <message>
+        <source>it is of an earlier posting, and would be run after these: take it away.</source>
+        <translation>Sie stammt von einem früheren Posten und liefe nach diesen: Sie löschen.</translation>
+    </message>
+    <message>
+        <source>it is parallel to axis {}: two parallel rotary axes are one.</source>
+        <translation>Sie ist parallel zur Achse {}: Zwei parallele Drehachsen sind eine.</translation>
+    </message>
+    <message>
+        <source>it is switched off.</source>
+        <translation>Sie ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>it stands twice, and all would be milled twice at one place: name it once.</source>
+        <translation>Sie steht zweimal da, und alles würde an einem Ort zweimal gefräst: Sie einmal nennen.</translation>
+    </message>
+    <message>
+        <source>it would change a texture&apos;s path, which is its timing: take it away.</source>
+        <translation>Er würde die Bahn einer Textur ändern, die ihr Takt ist: Ihn entfernen.</translation>
+    </message>
+    <message>
+        <source>it would end the program, which the post does: take it out.</source>
+        <translation>Es würde das Programm beenden, was der Postprozessor tut: Es herausnehmen.</translation>
+    </message>
+    <message>
+        <source>it would have to turn at {} times its greatest velocity in move {}: smooth the tool axes, or {}.</source>
+        <translation>Sie müsste sich in Bewegung {1} mit dem {0}-fachen ihrer größten Geschwindigkeit drehen: Die Werkzeugachsen glätten, oder {2}.</translation>
+    </message>
+    <message>
+        <source>it would take {} GB of memory, and {} GB are free: {}</source>
+        <translation>Es würde {} GB Speicher brauchen, und {} GB sind frei: {}</translation>
+    </message>
+    <message>
+        <source>it would take {} GB: scale it down to {} million pixels, one for each dimple does.</source>
+        <translation>Es würde {} GB brauchen: Es auf {} Millionen Pixel verkleinern, eins je Mulde genügt.</translation>
+    </message>
+    <message>
+        <source>it wrote nothing: use another post-processor.</source>
+        <translation>Er hat nichts geschrieben: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>its controller does not keep the tool tip: choose one with TCP.</source>
+        <translation>Ihre Steuerung führt die Werkzeugspitze nicht nach: Eine mit TCP wählen.</translation>
+    </message>
+    <message>
+        <source>its ends are not on one circle, by {} mm: choose another operation.</source>
+        <translation>Seine Enden liegen nicht auf einem Kreis, um {} mm: Eine andere Operation wählen.</translation>
+    </message>
+    <message>
+        <source>its feed is a timing, which must not change.</source>
+        <translation>Ihr Vorschub ist ein Takt, der sich nicht ändern darf.</translation>
+    </message>
+    <message>
+        <source>its motion is not known: {}.</source>
+        <translation>Ihre Bewegung ist nicht bekannt: {}.</translation>
+    </message>
+    <message>
+        <source>its start phase was found by a version that counted it anew in each program: mill a calibration patch anew.</source>
+        <translation>Ihre Startphase wurde mit einer Version gefunden, die sie in jedem Programm neu zählte: Ein neues Kalibrierfeld fräsen.</translation>
+    </message>
+    <message>
+        <source>its start phase was found with the controller &apos;{}&apos;, and it has &apos;{}&apos;: mill a calibration patch anew.</source>
+        <translation>Ihre Startphase wurde mit der Werkzeugsteuerung „{}“ gefunden, und sie hat „{}“: Ein neues Kalibrierfeld fräsen.</translation>
+    </message>
+    <message>
+        <source>its tool is tilted already: choose an upright path.</source>
+        <translation>Ihr Werkzeug ist schon geneigt: Eine Bahn mit aufrechtem Werkzeug wählen.</translation>
+    </message>
+    <message>
+        <source>leave its feed alone: a texture&apos;s feed is its timing.</source>
+        <translation>Ihren Vorschub lassen: Der Vorschub einer Textur ist ihr Takt.</translation>
+    </message>
+    <message>
+        <source>legs can be fitted to stops only where the machine stops: use exact stop.</source>
+        <translation>Wege lassen sich nur dort an Halte anpassen, wo die Maschine hält: Genauhalt benutzen.</translation>
+    </message>
+    <message>
+        <source>let the operation mill a face of the job&apos;s model.</source>
+        <translation>Die Operation eine Fläche des Modells im Job fräsen lassen.</translation>
+    </message>
+    <message>
+        <source>line {} begins at X{} Y{} Z{}</source>
+        <translation>Zeile {} beginnt bei X{} Y{} Z{}</translation>
+    </message>
+    <message>
+        <source>live, choose the whole model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower limit above the upper one</source>
+        <translation>untere Grenze über der oberen</translation>
+    </message>
+    <message>
+        <source>make voxels about {} mm or raise the memory limit.</source>
+        <translation>Voxel von etwa {} mm nehmen oder die Speichergrenze heraufsetzen.</translation>
+    </message>
+    <message>
+        <source>masks need dimples on a lattice: choose None.</source>
+        <translation>Masken brauchen Mulden auf einem Gitter: „Keine“ wählen.</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>move the part into the stock or enlarge it.</source>
+        <translation>Das Teil in das Rohteil schieben oder es vergrößern.</translation>
+    </message>
+    <message>
+        <source>move the part into the stock or enlarge the stock.</source>
+        <translation>Das Teil in das Rohteil schieben oder das Rohteil vergrößern.</translation>
+    </message>
+    <message>
+        <source>name a machine file with rotary axes: they tilt the tool.</source>
+        <translation>Eine Maschinendatei mit Drehachsen nennen: Sie neigen das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>name the machine on which the patch was milled.</source>
+        <translation>Die Maschine nennen, auf der das Feld gefräst wurde.</translation>
+    </message>
+    <message>
+        <source>no JSON</source>
+        <translation>kein JSON</translation>
+    </message>
+    <message>
+        <source>no Resources/machines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no dimples</source>
+        <translation>keine Mulden</translation>
+    </message>
+    <message>
+        <source>no direction at dimple {}</source>
+        <translation>keine Richtung bei Mulde {}</translation>
+    </message>
+    <message>
+        <source>no machine</source>
+        <translation>keine Maschine</translation>
+    </message>
+    <message>
+        <source>no operation, tool or work offset there has this word: take it out of the post.</source>
+        <translation>Keine Operation, kein Werkzeug und keine Nullpunktverschiebung hat dort dieses Wort: Es aus dem Postprozessor nehmen.</translation>
+    </message>
+    <message>
+        <source>no path</source>
+        <translation>keine Bahn</translation>
+    </message>
+    <message>
+        <source>no phase is wanted at this dimple.</source>
+        <translation>An dieser Mulde ist keine Phase gefordert.</translation>
+    </message>
+    <message>
+        <source>no phase is wanted there.</source>
+        <translation>Dort ist keine Phase gefordert.</translation>
+    </message>
+    <message>
+        <source>no place of the faces can be cut from this direction: choose another direction, a steeper limit or other faces.</source>
+        <translation>Aus dieser Richtung lässt sich kein Ort der Flächen fräsen: Eine andere Richtung, eine steilere Grenze oder andere Flächen wählen.</translation>
+    </message>
+    <message>
+        <source>no places</source>
+        <translation>keine Orte</translation>
+    </message>
+    <message>
+        <source>no posture for dimple {}</source>
+        <translation>keine Haltung für Mulde {}</translation>
+    </message>
+    <message>
+        <source>no shape</source>
+        <translation>keine Form</translation>
+    </message>
+    <message>
+        <source>no volume</source>
+        <translation>kein Volumen</translation>
+    </message>
+    <message>
+        <source>no way in</source>
+        <translation>kein Anfahrweg</translation>
+    </message>
+    <message>
+        <source>none of its moves end on the texture&apos;s dimples.</source>
+        <translation>Keine ihrer Bewegungen endet auf den Mulden der Textur.</translation>
+    </message>
+    <message>
+        <source>none over the part</source>
+        <translation>keine über dem Teil</translation>
+    </message>
+    <message>
+        <source>not Scanning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not computed</source>
+        <translation>nicht berechnet</translation>
+    </message>
+    <message>
+        <source>not finite</source>
+        <translation>nicht endlich</translation>
+    </message>
+    <message>
+        <source>not in the program</source>
+        <translation>nicht im Programm</translation>
+    </message>
+    <message>
+        <source>one tooth per dimple takes {} mm/s: turn the spindle at no more than {} rpm.</source>
+        <translation>Ein Zahn je Mulde verlangt {} mm/s: Die Spindel mit höchstens {} 1/min drehen.</translation>
+    </message>
+    <message>
+        <source>only your own machine files can be taken away.</source>
+        <translation>Nur eigene Maschinendateien lassen sich löschen.</translation>
+    </message>
+    <message>
+        <source>other K or F words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other K or F words in line {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other words G61 and G64</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan one for each of the {} dimples.</source>
+        <translation>Für jede der {} Mulden eine planen.</translation>
+    </message>
+    <message>
+        <source>plan the postures of these dimples.</source>
+        <translation>Die Haltungen dieser Mulden planen.</translation>
+    </message>
+    <message>
+        <source>post the operations of a job.</source>
+        <translation>Die Operationen eines Jobs posten.</translation>
+    </message>
+    <message>
+        <source>programs are in ASCII letters: use no others.</source>
+        <translation>Programme bestehen aus ASCII-Zeichen: Keine anderen benutzen.</translation>
+    </message>
+    <message>
+        <source>recordings are cut with an upright tool only.</source>
+        <translation>Aufzeichnungen werden nur mit aufrechtem Werkzeug gefräst.</translation>
+    </message>
+    <message>
+        <source>repair the operation before posting.</source>
+        <translation>Vor dem Posten die Operation in Ordnung bringen.</translation>
+    </message>
+    <message>
+        <source>repair the shape.</source>
+        <translation>Die Form in Ordnung bringen.</translation>
+    </message>
+    <message>
+        <source>rotary axes</source>
+        <translation>Drehachsen</translation>
+    </message>
+    <message>
+        <source>rotary words</source>
+        <translation>Drehachsenwörter</translation>
+    </message>
+    <message>
+        <source>rounded corners (G64)</source>
+        <translation>gerundete Ecken (G64)</translation>
+    </message>
+    <message>
+        <source>samples must be in order of time.</source>
+        <translation>Aufzeichnungen müssen nach der Zeit geordnet sein.</translation>
+    </message>
+    <message>
+        <source>say which copy goes on.</source>
+        <translation>Sagen, welche Kopie fortgesetzt wird.</translation>
+    </message>
+    <message>
+        <source>say which of the job&apos;s goes on.</source>
+        <translation>Sagen, welche des Jobs fortgesetzt wird.</translation>
+    </message>
+    <message>
+        <source>select a face, not an edge or a vertex.</source>
+        <translation>Eine Fläche auswählen, keine Kante und keine Ecke.</translation>
+    </message>
+    <message>
+        <source>select at least one face.</source>
+        <translation>Mindestens eine Fläche auswählen.</translation>
+    </message>
+    <message>
+        <source>set Flutes of {} to what the tool has; proposed: {}, as most ball end mills have.</source>
+        <translation>Flutes von {} auf die Schneidenzahl des Werkzeugs setzen; vorgeschlagen: {}, wie bei den meisten Kugelfräsern.</translation>
+    </message>
+    <message>
+        <source>set the feeds of its tool controller.</source>
+        <translation>Die Vorschübe seiner Werkzeugsteuerung setzen.</translation>
+    </message>
+    <message>
+        <source>several motions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spindle-locked</source>
+        <translation>an die Spindel gekoppelt</translation>
+    </message>
+    <message>
+        <source>take only the posture from the voxel model: a texture&apos;s feed is its timing.</source>
+        <translation>Vom Voxelmodell nur die Haltung nehmen: Der Vorschub einer Textur ist ihr Takt.</translation>
+    </message>
+    <message>
+        <source>textures are posted in millimetres.</source>
+        <translation>Texturen werden in Millimetern gepostet.</translation>
+    </message>
+    <message>
+        <source>the angle between the flanks of {} is more than 0 and at most 120 degrees.</source>
+        <translation>Der Winkel zwischen den Flanken von {} ist größer als 0 und höchstens 120 Grad.</translation>
+    </message>
+    <message>
+        <source>the control of the machine {} takes {}: give --precision={} and the same Decimals.</source>
+        <translation>Die Steuerung der Maschine {} nimmt {}: --precision={} und ebenso viele Nachkommastellen angeben.</translation>
+    </message>
+    <message>
+        <source>the direction is parallel to the texture&apos;s x axis: choose another one.</source>
+        <translation>Die Richtung ist parallel zur x-Achse der Textur: Eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>the faces look to all sides alike: switch it off and give a direction.</source>
+        <translation>Die Flächen blicken gleichermaßen nach allen Seiten: Es ausschalten und eine Richtung angeben.</translation>
+    </message>
+    <message>
+        <source>the feed makes {} mm a tooth: give the same.</source>
+        <translation>Der Vorschub ergibt {} mm je Zahn: Dasselbe angeben.</translation>
+    </message>
+    <message>
+        <source>the file is read-only: name another one.</source>
+        <translation>Die Datei ist schreibgeschützt: Eine andere nennen.</translation>
+    </message>
+    <message>
+        <source>the flat bottom of {} is within its radius, {} mm.</source>
+        <translation>Der flache Boden von {} liegt innerhalb seines Radius, {} mm.</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made ({}): set PATCHMILL_MACHINES to another one.</source>
+        <translation>Der Ordner lässt sich nicht anlegen ({}): PATCHMILL_MACHINES auf einen anderen setzen.</translation>
+    </message>
+    <message>
+        <source>the free form has its spindle speed from the feed per tooth.</source>
+        <translation>Die freie Form hat ihre Drehzahl aus dem Vorschub je Zahn.</translation>
+    </message>
+    <message>
+        <source>the free form has no lattice: choose Helix.</source>
+        <translation>Die freie Form hat kein Gitter: Helix wählen.</translation>
+    </message>
+    <message>
+        <source>the free form is milled as a whole: give {}.</source>
+        <translation>Die freie Form wird als Ganzes gefräst: {} angeben.</translation>
+    </message>
+    <message>
+        <source>the free form&apos;s marks overlap: choose so.</source>
+        <translation>Die Spuren der freien Form überlappen: Dies wählen.</translation>
+    </message>
+    <message>
+        <source>the installation is not complete.</source>
+        <translation>Die Installation ist nicht vollständig.</translation>
+    </message>
+    <message>
+        <source>the job has {}.</source>
+        <translation>Der Job hat {}.</translation>
+    </message>
+    <message>
+        <source>the job makes {} files: post them with post_files().</source>
+        <translation>Der Job ergibt {} Dateien: Sie mit post_files() posten.</translation>
+    </message>
+    <message>
+        <source>the limit is {} GB: take {} mm or more, or a smaller window.</source>
+        <translation>Die Grenze ist {} GB: {} mm oder mehr nehmen, oder ein kleineres Fenster.</translation>
+    </message>
+    <message>
+        <source>the machine file says that this controller cannot follow the spindle: use the feed-per-move strategy, or set the machine&apos;s spindle lock if it can.</source>
+        <translation>Die Maschinendatei sagt, dass diese Steuerung der Spindel nicht folgen kann: Die Strategie Vorschub je Satz benutzen, oder die Spindelkopplung der Maschine einschalten, wenn sie es kann.</translation>
+    </message>
+    <message>
+        <source>the machine goes up to {} mm/min.</source>
+        <translation>Die Maschine erreicht {} mm/min.</translation>
+    </message>
+    <message>
+        <source>the machine {} has no TCP.</source>
+        <translation>Die Maschine {} hat kein TCP.</translation>
+    </message>
+    <message>
+        <source>the machine {} has the control {}: use patchmill_{}, or choose another machine.</source>
+        <translation>Die Maschine {} hat die Steuerung {}: patchmill_{} benutzen oder eine andere Maschine wählen.</translation>
+    </message>
+    <message>
+        <source>the machine {} says that its controller cannot follow the spindle: use feed per move or constant feed.</source>
+        <translation>Die Maschine {} sagt, dass ihre Steuerung der Spindel nicht folgen kann: Vorschub je Satz oder festen Vorschub benutzen.</translation>
+    </message>
+    <message>
+        <source>the mesh is not closed: repair it, or take it out of the job.</source>
+        <translation>Das Netz ist nicht geschlossen: Es ausbessern oder aus dem Job nehmen.</translation>
+    </message>
+    <message>
+        <source>the net would have {} nodes, more than the limit of {}: choose a larger spacing or a smaller area.</source>
+        <translation>Das Netz hätte {} Knoten, mehr als die Grenze von {}: Einen größeren Abstand oder eine kleinere Fläche wählen.</translation>
+    </message>
+    <message>
+        <source>the next operation with {} would find the spindle so: end this one by M{}.</source>
+        <translation>Die nächste Operation mit {} fände die Spindel so vor: Diese mit M{} enden lassen.</translation>
+    </message>
+    <message>
+        <source>the operation begins at X{} Y{} Z{}: use another post-processor.</source>
+        <translation>Die Operation beginnt bei X{} Y{} Z{}: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the operation has F {} there: use another post-processor.</source>
+        <translation>Die Operation hat dort F {}: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the operation has another one there: use another post-processor.</source>
+        <translation>Die Operation hat dort ein anderes: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the operation has no such word: use another post-processor.</source>
+        <translation>Die Operation hat kein solches Wort: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the operation has {} there: use another post-processor.</source>
+        <translation>Die Operation hat dort {}: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the operation has {}: use another post-processor.</source>
+        <translation>Die Operation hat {}: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the operation is milled with TCP {}: use another post-processor.</source>
+        <translation>Die Operation wird mit TCP {} gefräst: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the operation under it is gone: delete the dressup.</source>
+        <translation>Die Operation darunter ist nicht mehr da: Die Aufbereitung löschen.</translation>
+    </message>
+    <message>
+        <source>the patch has no two passes at a cross-feed of {} mm: choose a longer side.</source>
+        <translation>Das Feld hat bei einem Bahnabstand von {} mm keine zwei Durchgänge: Eine längere Seite wählen.</translation>
+    </message>
+    <message>
+        <source>the patch has {}.</source>
+        <translation>Das Feld hat {}.</translation>
+    </message>
+    <message>
+        <source>the path ends a move on a dimple that the plan does not cut.</source>
+        <translation>Die Bahn beendet eine Bewegung auf einer Mulde, die der Plan nicht fräst.</translation>
+    </message>
+    <message>
+        <source>the path has no timed move before its first dimple that could be lengthened.</source>
+        <translation>Die Bahn hat vor ihrer ersten Mulde keine getaktete Bewegung, die sich verlängern ließe.</translation>
+    </message>
+    <message>
+        <source>the path is not of constant feed {} mm/s.</source>
+        <translation>Die Bahn hat nicht den festen Vorschub {} mm/s.</translation>
+    </message>
+    <message>
+        <source>the path would take {} interpolation periods: too many to follow one by one.</source>
+        <translation>Die Bahn würde {} Interpolationstakte dauern: zu viele, um ihnen einzeln zu folgen.</translation>
+    </message>
+    <message>
+        <source>the post leaves TCP on for what comes after it: end the operation by {}.</source>
+        <translation>Der Postprozessor lässt TCP für das Folgende eingeschaltet: Die Operation mit {} enden lassen.</translation>
+    </message>
+    <message>
+        <source>the post leaves it on for {}, whose coolant is None: end the operation by M9.</source>
+        <translation>Der Postprozessor lässt es für {} eingeschaltet, das kein Kühlmittel hat: Die Operation mit M9 enden lassen.</translation>
+    </message>
+    <message>
+        <source>the post leaves it on for {}: end the operation by {}.</source>
+        <translation>Der Postprozessor lässt es für {} eingeschaltet: Die Operation mit {} enden lassen.</translation>
+    </message>
+    <message>
+        <source>the post writes {} decimals: give --precision={} or change Decimals.</source>
+        <translation>Der Postprozessor schreibt {} Nachkommastellen: --precision={} angeben oder die Nachkommastellen ändern.</translation>
+    </message>
+    <message>
+        <source>the post-processor changed the path: use another one.</source>
+        <translation>Der Postprozessor hat die Bahn verändert: Einen anderen benutzen.</translation>
+    </message>
+    <message>
+        <source>the post-processor does not keep them: use patchmill_linuxcnc.</source>
+        <translation>Der Postprozessor behält sie nicht: patchmill_linuxcnc benutzen.</translation>
+    </message>
+    <message>
+        <source>the posted text has a phase error of {} degrees in {} runs: post more decimals.</source>
+        <translation>Der gepostete Text hat einen Phasenfehler von {} Grad in {} Läufen: Mit mehr Nachkommastellen posten.</translation>
+    </message>
+    <message>
+        <source>the posted text turns the spindle at {} rpm where {} is milled.</source>
+        <translation>Der gepostete Text dreht die Spindel mit {} 1/min, wo {} gefräst wird.</translation>
+    </message>
+    <message>
+        <source>the posted text turns the spindle at {} rpm {}.</source>
+        <translation>Der gepostete Text dreht die Spindel mit {} 1/min {}.</translation>
+    </message>
+    <message>
+        <source>the posture did not converge (residual {}): try another size.</source>
+        <translation>Die Haltung konvergiert nicht (Rest {}): Eine andere Größe versuchen.</translation>
+    </message>
+    <message>
+        <source>the program does not call the tool&apos;s length: use another post-processor.</source>
+        <translation>Das Programm ruft die Werkzeuglänge nicht auf: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the program does not have it: use a post-processor that keeps it, or leave it out.</source>
+        <translation>Das Programm hat es nicht: Einen Postprozessor benutzen, der es behält, oder es weglassen.</translation>
+    </message>
+    <message>
+        <source>the program does not switch it on for {}: choose None, or another post-processor.</source>
+        <translation>Das Programm schaltet es für {} nicht ein: „Keine“ wählen oder einen anderen Postprozessor.</translation>
+    </message>
+    <message>
+        <source>the program ends with it: use another post-processor.</source>
+        <translation>Das Programm endet damit: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the program ends without it: use another post-processor.</source>
+        <translation>Das Programm endet ohne es: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the program has T{} in the spindle where {} is milled.</source>
+        <translation>Das Programm hat T{} in der Spindel, wo {} gefräst wird.</translation>
+    </message>
+    <message>
+        <source>the program has it on where {} begins: end the operation before by M9.</source>
+        <translation>Das Programm hat es eingeschaltet, wo {} beginnt: Die Operation davor mit M9 enden lassen.</translation>
+    </message>
+    <message>
+        <source>the program has {} in force where {} begins: use another post-processor.</source>
+        <translation>Im Programm gilt {}, wo {} beginnt: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the recorded spindle turns the other way at {} s.</source>
+        <translation>Die aufgezeichnete Spindel dreht bei {} s andersherum.</translation>
+    </message>
+    <message>
+        <source>the rotary axis next to the tool is parallel to the tool: it cannot tilt it. List the axes in chain order, from the work to the tool.</source>
+        <translation>Die Drehachse am Werkzeug ist parallel zum Werkzeug: Sie kann es nicht neigen. Die Achsen in der Reihenfolge der Kette nennen, vom Werkstück zum Werkzeug.</translation>
+    </message>
+    <message>
+        <source>the shape could not be read: repair it.</source>
+        <translation>Die Form ließ sich nicht lesen: Sie in Ordnung bringen.</translation>
+    </message>
+    <message>
+        <source>the spindle must turn: Forward or Reverse.</source>
+        <translation>Die Spindel muss drehen: Forward oder Reverse.</translation>
+    </message>
+    <message>
+        <source>the strategy &apos;{}&apos; needs a machine file.</source>
+        <translation>Die Strategie „{}“ braucht eine Maschinendatei.</translation>
+    </message>
+    <message>
+        <source>the strategy has none to choose: leave it out.</source>
+        <translation>Bei dieser Strategie gibt es keinen zu wählen: Ihn weglassen.</translation>
+    </message>
+    <message>
+        <source>the table or head turns in line {} without it: use another post-processor.</source>
+        <translation>In Zeile {} dreht sich Tisch oder Kopf ohne es: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the texture belongs to no job with a stock and a model.</source>
+        <translation>Die Textur gehört zu keinem Job mit Rohteil und Modell.</translation>
+    </message>
+    <message>
+        <source>the texture has nothing to look at.</source>
+        <translation>An der Textur ist nichts anzusehen.</translation>
+    </message>
+    <message>
+        <source>the texture has the patches 1 to {}.</source>
+        <translation>Die Textur hat die Felder 1 bis {}.</translation>
+    </message>
+    <message>
+        <source>the times of stops are known to a period only without a jerk limit.</source>
+        <translation>Die Zeiten der Halte sind nur ohne Ruckbegrenzung auf einen Takt genau bekannt.</translation>
+    </message>
+    <message>
+        <source>the tool is changed in line {} without it: use another post-processor.</source>
+        <translation>In Zeile {} wird das Werkzeug ohne es gewechselt: Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>the tool must stand out further than its cutting end.</source>
+        <translation>Das Werkzeug muss weiter herausstehen als seine Schneiden.</translation>
+    </message>
+    <message>
+        <source>the tool of {} needs a diameter greater than zero.</source>
+        <translation>Das Werkzeug von {} braucht einen Durchmesser größer als null.</translation>
+    </message>
+    <message>
+        <source>the tool reaches Z {} mm between dimples: give a greater safe height.</source>
+        <translation>Das Werkzeug erreicht zwischen Mulden Z {} mm: Eine größere Sicherheitshöhe angeben.</translation>
+    </message>
+    <message>
+        <source>the tool tip is at Z {} mm on dimple {}: give a greater safe height.</source>
+        <translation>Die Werkzeugspitze ist bei Z {} mm an Mulde {}: Eine größere Sicherheitshöhe angeben.</translation>
+    </message>
+    <message>
+        <source>the tool tip is at Z {} mm on mark {}: give a greater safe height.</source>
+        <translation>Die Werkzeugspitze ist bei Z {} mm an Spur {}: Eine größere Sicherheitshöhe angeben.</translation>
+    </message>
+    <message>
+        <source>the upper corner must not lie below the lower one, nor too far from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the voxels lie from {} to {} mm.</source>
+        <translation>Die Voxel liegen von {} bis {} mm.</translation>
+    </message>
+    <message>
+        <source>there can be no such file ({}): give another name.</source>
+        <translation>Eine solche Datei kann es nicht geben ({}): Einen anderen Namen angeben.</translation>
+    </message>
+    <message>
+        <source>there can be no such file: give another name.</source>
+        <translation>Eine solche Datei kann es nicht geben: Einen anderen Namen angeben.</translation>
+    </message>
+    <message>
+        <source>there is no object &apos;{}&apos; with a shape: {}</source>
+        <translation>Es gibt kein Objekt „{}“ mit einer Form: {}</translation>
+    </message>
+    <message>
+        <source>there is no operation with a tool controller below it.</source>
+        <translation>Darunter gibt es keine Operation mit Werkzeugsteuerung.</translation>
+    </message>
+    <message>
+        <source>there is no such file: choose a picture.</source>
+        <translation>Es gibt keine solche Datei: Ein Bild wählen.</translation>
+    </message>
+    <message>
+        <source>there is no such machine file; there are: {}.</source>
+        <translation>Es gibt keine solche Maschinendatei; es gibt: {}.</translation>
+    </message>
+    <message>
+        <source>there is no such post-processor.</source>
+        <translation>Es gibt keinen solchen Postprozessor.</translation>
+    </message>
+    <message>
+        <source>there must be a dimple to look at.</source>
+        <translation>Es muss eine Mulde zum Ansehen geben.</translation>
+    </message>
+    <message>
+        <source>this FreeCAD posts the tool bit&apos;s: set both alike.</source>
+        <translation>Dieses FreeCAD postet den des Werkzeugs: Beide gleich setzen.</translation>
+    </message>
+    <message>
+        <source>this feed move is of no operation: take it out of the post.</source>
+        <translation>Diese Vorschubbewegung gehört zu keiner Operation: Sie aus dem Postprozessor nehmen.</translation>
+    </message>
+    <message>
+        <source>this place is off the faces: choose one on them.</source>
+        <translation>Dieser Ort liegt nicht auf den Flächen: Einen auf ihnen wählen.</translation>
+    </message>
+    <message>
+        <source>this speed alone is judged.</source>
+        <translation>Nur diese Drehzahl wird beurteilt.</translation>
+    </message>
+    <message>
+        <source>this word is not understood: choose another operation.</source>
+        <translation>Dieses Wort wird nicht verstanden: Eine andere Operation wählen.</translation>
+    </message>
+    <message>
+        <source>tilted</source>
+        <translation>geneigt</translation>
+    </message>
+    <message>
+        <source>tools are changed by tool controllers: give the operation that of the tool, and take the word out.</source>
+        <translation>Werkzeuge werden durch Werkzeugsteuerungen gewechselt: Der Operation die des Werkzeugs geben und das Wort herausnehmen.</translation>
+    </message>
+    <message>
+        <source>unknown in move {}</source>
+        <translation>unbekannt in Bewegung {}</translation>
+    </message>
+    <message>
+        <source>use ASCII letters in labels and comments.</source>
+        <translation>In Bezeichnungen und Kommentaren ASCII-Zeichen benutzen.</translation>
+    </message>
+    <message>
+        <source>use another post-processor.</source>
+        <translation>Einen anderen Postprozessor benutzen.</translation>
+    </message>
+    <message>
+        <source>use letters, digits, points, dashes and underscores for its name.</source>
+        <translation>Für den Namen Buchstaben, Ziffern, Punkte, Binde- und Unterstriche benutzen.</translation>
+    </message>
+    <message>
+        <source>what a tool of kind &apos;{}&apos; leaves is not known: give 0.</source>
+        <translation>Was ein Werkzeug der Art „{}“ stehen lässt, ist nicht bekannt: 0 angeben.</translation>
+    </message>
+    <message>
+        <source>where that moves the tool is not known here: post the operation in a job of its own.</source>
+        <translation>Wohin das Werkzeug dadurch fährt, ist hier nicht bekannt: Die Operation in einem eigenen Job posten.</translation>
+    </message>
+    <message>
+        <source>without TCP a tilting head needs the length from its gauge point to the tip.</source>
+        <translation>Ohne TCP braucht ein Schwenkkopf die Länge von seinem Bezugspunkt bis zur Spitze.</translation>
+    </message>
+    <message>
+        <source>work offsets are the job&apos;s: choose it in the job&apos;s setup, and take it out here.</source>
+        <translation>Nullpunktverschiebungen gehören zum Job: Sie in dessen Setup wählen und hier herausnehmen.</translation>
+    </message>
+    <message>
+        <source>work offsets are the job&apos;s: choose it in the job&apos;s setup, and take the operation out.</source>
+        <translation>Nullpunktverschiebungen gehören zum Job: Sie in dessen Setup wählen und die Operation herausnehmen.</translation>
+    </message>
+    <message>
+        <source>{} Nothing is posted; {} Set PostGouging to post it all the same.</source>
+        <translation>{} Nichts wurde gepostet; {} PostGouging setzen, um trotzdem zu posten.</translation>
+    </message>
+    <message>
+        <source>{} Set PostUnheld to post it all the same.</source>
+        <translation>{} PostUnheld setzen, um trotzdem zu posten.</translation>
+    </message>
+    <message>
+        <source>{} Tilt less.</source>
+        <translation>{} Weniger neigen.</translation>
+    </message>
+    <message>
+        <source>{} and {} have it, and are different tools: give one of them another number.</source>
+        <translation>{} und {} haben sie und sind verschiedene Werkzeuge: Einem eine andere Nummer geben.</translation>
+    </message>
+    <message>
+        <source>{} asks for {} {}: give that, or leave one of them empty.</source>
+        <translation>{} verlangt {} {}: Dies angeben, oder eins davon leer lassen.</translation>
+    </message>
+    <message>
+        <source>{} cannot read it: {}.</source>
+        <translation>{} kann es nicht lesen: {}.</translation>
+    </message>
+    <message>
+        <source>{} dimples are more than the limit of {}: choose a larger spacing or fewer patches.</source>
+        <translation>{} Mulden sind mehr als die Grenze von {}: Einen größeren Abstand oder weniger Felder wählen.</translation>
+    </message>
+    <message>
+        <source>{} does not know it.</source>
+        <translation>{} kennt es nicht.</translation>
+    </message>
+    <message>
+        <source>{} has no block that follows the spindle: use feed per move or constant feed.</source>
+        <translation>{} hat keinen Satz, der der Spindel folgt: Vorschub je Satz oder festen Vorschub benutzen.</translation>
+    </message>
+    <message>
+        <source>{} has no such work offset: choose {} in the job&apos;s setup.</source>
+        <translation>{} hat keine solche Nullpunktverschiebung: Im Setup des Jobs {} wählen.</translation>
+    </message>
+    <message>
+        <source>{} has no word for them: use constant feed.</source>
+        <translation>{} hat kein Wort dafür: Festen Vorschub benutzen.</translation>
+    </message>
+    <message>
+        <source>{} has taken its place in the job: choose that.</source>
+        <translation>{} hat ihren Platz im Job eingenommen: Jene wählen.</translation>
+    </message>
+    <message>
+        <source>{} in {}, {} in its tool bit</source>
+        <translation>{} in {}, {} in seinem Werkzeug</translation>
+    </message>
+    <message>
+        <source>{} is drawn there, and not milled there: set it to zero, and move the model.</source>
+        <translation>{} ist dort gezeichnet und wird nicht dort gefräst: Sie auf null setzen und das Modell verschieben.</translation>
+    </message>
+    <message>
+        <source>{} is milled with it: give the tool controller {} one.</source>
+        <translation>{} wird damit gefräst: Der Werkzeugsteuerung {} eins geben.</translation>
+    </message>
+    <message>
+        <source>{} is posted in millimetres.</source>
+        <translation>{} wird in Millimetern gepostet.</translation>
+    </message>
+    <message>
+        <source>{} is switched off: switch it on.</source>
+        <translation>{} ist ausgeschaltet: Es einschalten.</translation>
+    </message>
+    <message>
+        <source>{} marks are more than the limit of {}: choose a larger feed per tooth or fewer patches.</source>
+        <translation>{} Spuren sind mehr als die Grenze von {}: Einen größeren Vorschub je Zahn oder weniger Felder wählen.</translation>
+    </message>
+    <message>
+        <source>{} mm for {} mm of stock</source>
+        <translation>{} mm für {} mm Rohteil</translation>
+    </message>
+    <message>
+        <source>{} mm outside the stock</source>
+        <translation>{} mm außerhalb des Rohteils</translation>
+    </message>
+    <message>
+        <source>{} mm radial, {} mm axial</source>
+        <translation>{} mm radial, {} mm axial</translation>
+    </message>
+    <message>
+        <source>{} mm, about {} million triangles</source>
+        <translation>{} mm, etwa {} Millionen Dreiecke</translation>
+    </message>
+    <message>
+        <source>{} mm, {} points a level</source>
+        <translation>{} mm, {} Punkte je Höhe</translation>
+    </message>
+    <message>
+        <source>{} mm, {} voxels of box, about {} MiB of the {} MiB allowed</source>
+        <translation>{} mm, {} Voxel im Quader, etwa {} MiB von erlaubten {} MiB</translation>
+    </message>
+    <message>
+        <source>{} names {}, and a program is for one machine: choose the same, or post {} by itself.</source>
+        <translation>{} nennt {}, und ein Programm ist für eine Maschine: Dieselbe wählen oder {} allein posten.</translation>
+    </message>
+    <message>
+        <source>{} of {} dimples read back</source>
+        <translation>{} von {} Mulden zurückgelesen</translation>
+    </message>
+    <message>
+        <source>{} of {} has {}: no smaller piece is made of it.</source>
+        <translation>{} von {} hat {}: Kleiner wird es nicht geteilt.</translation>
+    </message>
+    <message>
+        <source>{} of {} moves read back</source>
+        <translation>{} von {} Bewegungen zurückgelesen</translation>
+    </message>
+    <message>
+        <source>{} s, r = D dt / dx^2 = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} sags and {} normals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} stops between patches</source>
+        <translation>{} Halte zwischen Feldern</translation>
+    </message>
+    <message>
+        <source>{} timed moves</source>
+        <translation>{} getaktete Bewegungen</translation>
+    </message>
+    <message>
+        <source>{} turns at {} rpm: take the word out, and give the operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} turns take the tool {} mm, and dimple {} is {} mm away: give at least {} ExtraTurns.</source>
+        <translation>{} Umdrehungen führen das Werkzeug {} mm weit, und Mulde {} ist {} mm entfernt: Mindestens {} zusätzliche Umdrehungen angeben.</translation>
+    </message>
+    <message>
+        <source>{} with a ball end mill: choose one.</source>
+        <translation>{} mit einem Kugelfräser: Einen wählen.</translation>
+    </message>
+    <message>
+        <source>{} writes it as it is: use letters and digits, or one of PatchMill&apos;s own posts.</source>
+        <translation>{} schreibt es, wie es ist: Buchstaben und Ziffern benutzen, oder einen der Postprozessoren von PatchMill.</translation>
+    </message>
+    <message>
+        <source>{} x {} with {} values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: repair the shape.</source>
+        <translation>{}: Die Form in Ordnung bringen.</translation>
+    </message>
+    <message>
+        <source>{}: use one of PatchMill&apos;s own posts.</source>
+        <translation>{}: Einen der Postprozessoren von PatchMill benutzen.</translation>
+    </message>
+    <message>
+        <source>{}choose Without TCP.</source>
+        <translation>{}„Ohne TCP“ wählen.</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

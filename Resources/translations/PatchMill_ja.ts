@@ -2348,6 +2348,1630 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>{}, margin {} beside walls</source>
         <translation>{}、壁の横の余白 {}</translation>
     </message>
+    <message>
+        <source>--program-number={}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD posts what has ToolController and Active: take it out of the job.</source>
+        <translation>FreeCAD は ToolController と Active を持つものをポストします。ジョブから外してください。</translation>
+    </message>
+    <message>
+        <source>FreeCAD refused it: check its job, base faces and tool.</source>
+        <translation>FreeCAD が拒否しました。ジョブ、面、工具を確かめてください。</translation>
+    </message>
+    <message>
+        <source>FreeCAD takes a tool controller of number 0 for none: give {} another.</source>
+        <translation>FreeCAD は番号 0 のツールコントローラーをないものとして扱います。{} に別の番号を付けてください。</translation>
+    </message>
+    <message>
+        <source>FreeCAD would read it otherwise: write words of a letter and a number, each letter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s paths are in millimetres: take it out.</source>
+        <translation>FreeCAD の経路はミリメートルです。この語を取り除いてください。</translation>
+    </message>
+    <message>
+        <source>TCP is on</source>
+        <translation>TCP が有効</translation>
+    </message>
+    <message>
+        <source>TCP is {} in line {}</source>
+        <translation>{1} 行目で TCP は {0}</translation>
+    </message>
+    <message>
+        <source>a ball end mill alone can be seen so: choose one.</source>
+        <translation>このように表示できるのはボールエンドミルだけです。ボールエンドミルを選んでください。</translation>
+    </message>
+    <message>
+        <source>a ball of radius {} mm leaves untouched material between marks so far apart: choose less, a smaller cross-feed or a larger ball.</source>
+        <translation>半径 {} mm のボールでは、これほど離れた痕の間に削り残しが出ます。小さくするか、ピックフィードを小さくするか、大きいボールを選んでください。</translation>
+    </message>
+    <message>
+        <source>a curved base needs {} of each, a flat one none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cut needs a feed greater than zero: give it one here.</source>
+        <translation>切削には 0 より大きい送りが必要です。ここに指定してください。</translation>
+    </message>
+    <message>
+        <source>a drilling cycle goes from R down to Z.</source>
+        <translation>穴あけサイクルは R から Z へ下がります。</translation>
+    </message>
+    <message>
+        <source>a grid needs at least one cell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a lead of {} mm in line {}</source>
+        <translation>{1} 行目のリード {0} mm</translation>
+    </message>
+    <message>
+        <source>a live session cuts scanning lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a locked path needs no fitting.</source>
+        <translation>主軸同期の経路に調整は要りません。</translation>
+    </message>
+    <message>
+        <source>a loop of {} points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a move turns the spindle forward.</source>
+        <translation>移動は主軸を正方向に回します。</translation>
+    </message>
+    <message>
+        <source>a move without feed</source>
+        <translation>送りのない移動</translation>
+    </message>
+    <message>
+        <source>a paced path needs two dimples at least: see the counts of those left out, and change the faces, the limits or the tool axis.</source>
+        <translation>歩調を合わせた経路にはディンプルが二つ以上必要です。除かれた数を見て、面、制限または工具軸を変えてください。</translation>
+    </message>
+    <message>
+        <source>a patch of side {} mm would have {} laps: choose a larger cross-feed.</source>
+        <translation>一辺 {} mm のパッチは {} 周になります。ピックフィードを大きくしてください。</translation>
+    </message>
+    <message>
+        <source>a patch would have {} marks: choose a larger feed per tooth.</source>
+        <translation>一つのパッチに痕が {} 個できます。一刃送りを大きくしてください。</translation>
+    </message>
+    <message>
+        <source>a path in FreeCAD needs one G or M word here.</source>
+        <translation>FreeCAD の経路ではここに G または M の語が一つ必要です。</translation>
+    </message>
+    <message>
+        <source>a peck greater than zero is needed.</source>
+        <translation>ペック量は 0 より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>a recording has its machine in it: leave it out.</source>
+        <translation>記録には機械が含まれています。省いてください。</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns in a G33 block, which {} cannot: keep one tool axis for the whole texture, or use feed per move.</source>
+        <translation>G33 ブロックで回転軸が動きますが、{} にはできません。テクスチャ全体で工具軸を一定にするか、移動ごとの送りを使ってください。</translation>
+    </message>
+    <message>
+        <source>a section goes upward from 0 or more, has radii of 0 or more, and all are at most 1e6 mm.</source>
+        <translation>区分は 0 以上から上へ向かい、半径は 0 以上で、すべて 1e6 mm 以下です。</translation>
+    </message>
+    <message>
+        <source>a shape without faces</source>
+        <translation>面のない形状</translation>
+    </message>
+    <message>
+        <source>a spindle-locked move needs a way of the programmed point: rotary axes alone cannot be locked.</source>
+        <translation>主軸同期の移動にはプログラム点の移動が必要です。回転軸だけを同期させることはできません。</translation>
+    </message>
+    <message>
+        <source>a spindle-locked move needs more turns than its corner roundings take.</source>
+        <translation>主軸同期の移動には、コーナーの丸めより多い回転が必要です。</translation>
+    </message>
+    <message>
+        <source>a stop would end the spindle&apos;s lock: post each patch as a file of its own (patches=1).</source>
+        <translation>停止すると主軸の同期が終わります。パッチごとに別のファイルへポストしてください (patches=1)。</translation>
+    </message>
+    <message>
+        <source>a texture on the surface begins there, and no face can be cut there: move it.</source>
+        <translation>面上のテクスチャはそこから始まりますが、そこで削れる面がありません。移動してください。</translation>
+    </message>
+    <message>
+        <source>a texture path</source>
+        <translation>テクスチャの経路</translation>
+    </message>
+    <message>
+        <source>a texture&apos;s feed is its timing and its axis sets the phase: choose another operation.</source>
+        <translation>テクスチャの送りはタイミングで、軸は位相を決めます。別の操作を選んでください。</translation>
+    </message>
+    <message>
+        <source>a timed move needs more than no turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a vertex at infinity</source>
+        <translation>無限遠の頂点</translation>
+    </message>
+    <message>
+        <source>about {} dimples are more than the limit of {}: choose a larger spacing or a smaller area.</source>
+        <translation>約 {} 個のディンプルは上限 {} を超えます。間隔を大きくするか、領域を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>about {} dimples are more than the limit of {}: choose a larger spacing or fewer faces.</source>
+        <translation>約 {} 個のディンプルは上限 {} を超えます。間隔を大きくするか、面を減らしてください。</translation>
+    </message>
+    <message>
+        <source>all that follows would be read by it: take it out of the preamble.</source>
+        <translation>以降のすべてがそれに従って読まれます。プリアンブルから取り除いてください。</translation>
+    </message>
+    <message>
+        <source>an arc needs its centre by I and J, in the XY plane.</source>
+        <translation>円弧には XY 平面で I と J による中心が必要です。</translation>
+    </message>
+    <message>
+        <source>an edge without a curve</source>
+        <translation>曲線のない辺</translation>
+    </message>
+    <message>
+        <source>an open shell, {} unmatched edges</source>
+        <translation>開いたシェル、対のない辺 {} 本</translation>
+    </message>
+    <message>
+        <source>an upright operation follows, and the machine&apos;s file does not say where the tool is clear of a turning table: give retract_mm there, or bring them back to zero in the operation that turns them.</source>
+        <translation>次は工具が直立する操作ですが、機械ファイルには回るテーブルから工具が離れる位置がありません。retract_mm を指定するか、軸を回した操作の中で 0 に戻してください。</translation>
+    </message>
+    <message>
+        <source>an upright shank would cut the overhang: put a DCM modifier with posture on {}.</source>
+        <translation>直立したシャンクがオーバーハングを削ります。{} に姿勢つきの DCM 修飾を付けてください。</translation>
+    </message>
+    <message>
+        <source>another operation leaves this, not its tool&apos;s length: end that one by G43 H{}.</source>
+        <translation>別の操作が、自分の工具長ではなくこれを残します。その操作を G43 H{} で終えてください。</translation>
+    </message>
+    <message>
+        <source>at most about {} million are made: give {} mm or more.</source>
+        <translation>作られるのは最大で約 {} 百万です。{} mm 以上を指定してください。</translation>
+    </message>
+    <message>
+        <source>at this spacing it takes dimples of {} mm, wider than the ball: choose a larger ball or a smaller spacing.</source>
+        <translation>この間隔では直径 {} mm のディンプルが必要で、ボールより広くなります。大きいボールか小さい間隔を選んでください。</translation>
+    </message>
+    <message>
+        <source>axis {} would leave its limits by {} mm.</source>
+        <translation>軸 {} が限界を {} mm 超えます。</translation>
+    </message>
+    <message>
+        <source>byte {} is no UTF-8: save the file as UTF-8.</source>
+        <translation>{} バイト目が UTF-8 ではありません。UTF-8 で保存してください。</translation>
+    </message>
+    <message>
+        <source>byte {} is zero, as in UTF-16 and in what is no text: save the file as plain text.</source>
+        <translation>{} バイト目が 0 です。UTF-16 かテキスト以外のものです。プレーンテキストで保存してください。</translation>
+    </message>
+    <message>
+        <source>choose 3, 4 or 6: other regular polygons do not cover a face.</source>
+        <translation>3、4、6 のどれかを選んでください。他の正多角形では面を覆えません。</translation>
+    </message>
+    <message>
+        <source>choose a DCM modifier, or none.</source>
+        <translation>DCM 修飾を選ぶか、なしにしてください。</translation>
+    </message>
+    <message>
+        <source>choose a texture, copy milling or a DCM modifier.</source>
+        <translation>テクスチャ、倣い加工または DCM 修飾を選んでください。</translation>
+    </message>
+    <message>
+        <source>choose a work offset in the job&apos;s setup, such as G54.</source>
+        <translation>ジョブの設定で G54 などのワークオフセットを選んでください。</translation>
+    </message>
+    <message>
+        <source>choose an operation or a dressup of a job.</source>
+        <translation>ジョブの操作またはドレスアップを選んでください。</translation>
+    </message>
+    <message>
+        <source>choose faces that have an inside.</source>
+        <translation>内側のある面を選んでください。</translation>
+    </message>
+    <message>
+        <source>choose it so that each axis gets 1 to 32,768 voxels.</source>
+        <translation>各軸が 1 から 32,768 ボクセルになるように選んでください。</translation>
+    </message>
+    <message>
+        <source>choose square or staggered.</source>
+        <translation>正方または千鳥を選んでください。</translation>
+    </message>
+    <message>
+        <source>choose the coolant in the operations that want it: their Coolant says Flood or Mist.</source>
+        <translation>必要な操作でクーラントを選んでください。Coolant を Flood または Mist にします。</translation>
+    </message>
+    <message>
+        <source>corner {} of {} vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>count from 0, the first dimple.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dimples {} and {} are at one place on the program&apos;s decimals.</source>
+        <translation>ディンプル {} と {} はプログラムの小数桁では同じ位置になります。</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
+        <source>empty or infinite</source>
+        <translation>空または無限</translation>
+    </message>
+    <message>
+        <source>enlarge it: there would be more than ten million passes.</source>
+        <translation>大きくしてください。パスが一千万を超えます。</translation>
+    </message>
+    <message>
+        <source>enlarge the tolerance.</source>
+        <translation>許容差を大きくしてください。</translation>
+    </message>
+    <message>
+        <source>every lattice point was left out ({}): {}.</source>
+        <translation>格子点がすべて除かれました ({})。{}。</translation>
+    </message>
+    <message>
+        <source>every lattice point was left out: see the counts by reason, and change the faces, the limits or the tool axis.</source>
+        <translation>格子点がすべて除かれました。理由ごとの数を見て、面、制限または工具軸を変えてください。</translation>
+    </message>
+    <message>
+        <source>every mark was left out: see the counts by reason, and change the faces, the limits or the tool axis.</source>
+        <translation>痕がすべて除かれました。理由ごとの数を見て、面、制限または工具軸を変えてください。</translation>
+    </message>
+    <message>
+        <source>explicit steps are stable up to r = {}: use at most {} s, or allow sub-steps.</source>
+        <translation>陽解法は r = {} まで安定です。{} s 以下にするか、分割ステップを許してください。</translation>
+    </message>
+    <message>
+        <source>faces without area</source>
+        <translation>面積のない面</translation>
+    </message>
+    <message>
+        <source>give 0 &lt;= from &lt; to and diameters of 0 or more.</source>
+        <translation>0 &lt;= 始点 &lt; 終点 とし、直径を 0 以上にしてください。</translation>
+    </message>
+    <message>
+        <source>give 0 or at least FeedAtSkin.</source>
+        <translation>0 か、素材表面での送り以上を指定してください。</translation>
+    </message>
+    <message>
+        <source>give 0 or more.</source>
+        <translation>0 以上を指定してください。</translation>
+    </message>
+    <message>
+        <source>give 0 to {} decimals.</source>
+        <translation>小数桁を 0 から {} で指定してください。</translation>
+    </message>
+    <message>
+        <source>give 0, 1 or 2 for x, y or z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give 1 or more.</source>
+        <translation>1 以上を指定してください。</translation>
+    </message>
+    <message>
+        <source>give 255 at most.</source>
+        <translation>255 以下を指定してください。</translation>
+    </message>
+    <message>
+        <source>give A, B or C.</source>
+        <translation>A、B、C のどれかを指定してください。</translation>
+    </message>
+    <message>
+        <source>give Projected or On surface.</source>
+        <translation>投影または面上を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a closed solid; mend the gaps or the flipped triangles.</source>
+        <translation>閉じたソリッドを指定してください。隙間や裏返った三角形を直します。</translation>
+    </message>
+    <message>
+        <source>give a depth greater than zero.</source>
+        <translation>0 より大きい深さを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a direction: finite, and not zero.</source>
+        <translation>方向を指定してください。有限で 0 でないものです。</translation>
+    </message>
+    <message>
+        <source>give a factor greater than zero.</source>
+        <translation>0 より大きい係数を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a finite vector other than zero; a voxel model has none inside the part.</source>
+        <translation>0 でない有限のベクトルを指定してください。ボクセルモデルは部品の内側にはありません。</translation>
+    </message>
+    <message>
+        <source>give a finite vector that is not zero.</source>
+        <translation>0 でない有限のベクトルを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a function of positions and normals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a height above 0 and up to the ball&apos;s radius, {} mm.</source>
+        <translation>0 より大きくボール半径 {} mm 以下の高さを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a length greater than zero.</source>
+        <translation>0 より大きい長さを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a name, a factor on the feed, and a depth in mm or the name of a solid, such as &apos;skin 0.6 1.5&apos;.</source>
+        <translation>名前、送りの係数、深さ [mm] またはソリッドの名前を指定してください。例: &apos;skin 0.6 1.5&apos;。</translation>
+    </message>
+    <message>
+        <source>give a number of decimals, such as 3.</source>
+        <translation>3 などの小数桁数を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a number.</source>
+        <translation>数を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a path of this texture&apos;s plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a path whose moves are all timed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a positive jerk in mm/s³, or leave it out for none.</source>
+        <translation>正の躍度 [mm/s³] を指定するか、ない場合は省いてください。</translation>
+    </message>
+    <message>
+        <source>give a shape with faces.</source>
+        <translation>面のある形状を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a size greater than zero.</source>
+        <translation>0 より大きい大きさを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a solid whose surface faces outwards.</source>
+        <translation>表面が外を向いたソリッドを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a solid with a tessellated surface.</source>
+        <translation>表面がメッシュになるソリッドを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a stock larger than the part, or smaller voxels.</source>
+        <translation>部品より大きい素材か、小さいボクセルを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a stock with length, width and height.</source>
+        <translation>長さ、幅、高さのある素材を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a tessellated surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give a texture of the job.</source>
+        <translation>ジョブのテクスチャを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a value from 0 to 90 degrees.</source>
+        <translation>0 から 90 度の値を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a value from {} to {} {}.</source>
+        <translation>{} から {} {} の値を指定してください。</translation>
+    </message>
+    <message>
+        <source>give a vector other than zero.</source>
+        <translation>0 でないベクトルを指定してください。</translation>
+    </message>
+    <message>
+        <source>give a whole multiple of {} turn, so that a flute is at the contact point again.</source>
+        <translation>{} 回転の整数倍を指定してください。刃が再び接触点に来ます。</translation>
+    </message>
+    <message>
+        <source>give a whole number, from 1.</source>
+        <translation>1 以上の整数を指定してください。</translation>
+    </message>
+    <message>
+        <source>give an angle above 0° and up to 90°.</source>
+        <translation>0° より大きく 90° 以下の角度を指定してください。</translation>
+    </message>
+    <message>
+        <source>give an area with finite corners.</source>
+        <translation>有限の角をもつ領域を指定してください。</translation>
+    </message>
+    <message>
+        <source>give an operation of PatchMill.</source>
+        <translation>PatchMill の操作を指定してください。</translation>
+    </message>
+    <message>
+        <source>give at least 0 and less than {} degrees.</source>
+        <translation>0 以上 {} 度未満を指定してください。</translation>
+    </message>
+    <message>
+        <source>give at least the lower feed.</source>
+        <translation>下限の送り以上を指定してください。</translation>
+    </message>
+    <message>
+        <source>give at least the safe height, {} mm.</source>
+        <translation>安全高さ {} mm 以上を指定してください。</translation>
+    </message>
+    <message>
+        <source>give closed loops of at least three finite points.</source>
+        <translation>有限の点が三つ以上ある閉曲線を指定してください。</translation>
+    </message>
+    <message>
+        <source>give each axis its own.</source>
+        <translation>軸ごとに別のものを指定してください。</translation>
+    </message>
+    <message>
+        <source>give either the feed per tooth or the ridge height.</source>
+        <translation>一刃送りか山の高さのどちらかを指定してください。</translation>
+    </message>
+    <message>
+        <source>give finite ((x, y) least, (x, y) greatest) in mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give finite numbers.</source>
+        <translation>有限の数を指定してください。</translation>
+    </message>
+    <message>
+        <source>give finite rows (time, x, y, z, spindle azimuth).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give finite vertices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give four numbers: from, to, two diameters.</source>
+        <translation>四つの数を指定してください。始点、終点、二つの直径です。</translation>
+    </message>
+    <message>
+        <source>give how many a file has at most, or 0.</source>
+        <translation>一つのファイルの最大数か 0 を指定してください。</translation>
+    </message>
+    <message>
+        <source>give it.</source>
+        <translation>指定してください。</translation>
+    </message>
+    <message>
+        <source>give more than 0 and at most {} degrees.</source>
+        <translation>0 より大きく {} 度以下を指定してください。</translation>
+    </message>
+    <message>
+        <source>give more than zero and less than the part&apos;s width.</source>
+        <translation>0 より大きく部品の幅より小さくしてください。</translation>
+    </message>
+    <message>
+        <source>give more than zero and no more than FeedAtSkin, {} mm/min.</source>
+        <translation>0 より大きく、素材表面での送り {} mm/min 以下にしてください。</translation>
+    </message>
+    <message>
+        <source>give no less than FirstPatch, {}.</source>
+        <translation>最初のパッチ {} 以上を指定してください。</translation>
+    </message>
+    <message>
+        <source>give numbers of zero or more.</source>
+        <translation>0 以上の数を指定してください。</translation>
+    </message>
+    <message>
+        <source>give one for each flute, or none.</source>
+        <translation>刃ごとに一つ指定するか、なしにしてください。</translation>
+    </message>
+    <message>
+        <source>give one for each of the {} dimples.</source>
+        <translation>{} 個のディンプルごとに一つ指定してください。</translation>
+    </message>
+    <message>
+        <source>give one for each of the {} {}.</source>
+        <translation>{} 個の {} ごとに一つ指定してください。</translation>
+    </message>
+    <message>
+        <source>give one for each text.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one for the start and one per move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one for the stock and one for each material.</source>
+        <translation>素材に一つ、材料ごとに一つ指定してください。</translation>
+    </message>
+    <message>
+        <source>give one greater than zero.</source>
+        <translation>0 より大きいものを指定してください。</translation>
+    </message>
+    <message>
+        <source>give one of path, program and samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one of the lattice&apos;s {} steps.</source>
+        <translation>格子の {} 通りのステップの一つを指定してください。</translation>
+    </message>
+    <message>
+        <source>give one of: {}.</source>
+        <translation>次のどれかを指定してください。{}。</translation>
+    </message>
+    <message>
+        <source>give one role and one value per field for each of the grid&apos;s {} cells.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one value for each pixel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the least corner first.</source>
+        <translation>小さい方の角を先に指定してください。</translation>
+    </message>
+    <message>
+        <source>give the least corner first; all sides must be longer than zero.</source>
+        <translation>小さい方の角を先に指定してください。辺はすべて 0 より長くします。</translation>
+    </message>
+    <message>
+        <source>give the lower limit first.</source>
+        <translation>下限を先に指定してください。</translation>
+    </message>
+    <message>
+        <source>give the name of a post-processor.</source>
+        <translation>ポストプロセッサの名前を指定してください。</translation>
+    </message>
+    <message>
+        <source>give three finite numbers.</source>
+        <translation>三つの有限の数を指定してください。</translation>
+    </message>
+    <message>
+        <source>give triangles whose corners are vertices of the mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give two different finite corners.</source>
+        <translation>異なる二つの有限の角を指定してください。</translation>
+    </message>
+    <message>
+        <source>give two rotary axes at most.</source>
+        <translation>回転軸は二つまでにしてください。</translation>
+    </message>
+    <message>
+        <source>give two vectors that are not parallel.</source>
+        <translation>平行でない二つのベクトルを指定してください。</translation>
+    </message>
+    <message>
+        <source>give values from 0 to 1.</source>
+        <translation>0 から 1 の値を指定してください。</translation>
+    </message>
+    <message>
+        <source>give whole numbers of rpm greater than zero.</source>
+        <translation>0 より大きい整数の回転数 [rpm] を指定してください。</translation>
+    </message>
+    <message>
+        <source>give zero or more.</source>
+        <translation>0 以上を指定してください。</translation>
+    </message>
+    <message>
+        <source>give {} mm or more.</source>
+        <translation>{} mm 以上を指定してください。</translation>
+    </message>
+    <message>
+        <source>give {} more than zero.</source>
+        <translation>{} は 0 より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>give {} the width of its flat tip, more than 0.</source>
+        <translation>{} の平らな先端の幅を 0 より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>in the free form every flute leaves a mark: allow any.</source>
+        <translation>自由形ではすべての刃が痕を残します。どの刃でもよいとしてください。</translation>
+    </message>
+    <message>
+        <source>in the free form the phase follows from the feed: choose &apos;{}&apos;.</source>
+        <translation>自由形では位相は送りで決まります。「{}」を選んでください。</translation>
+    </message>
+    <message>
+        <source>invalid</source>
+        <translation>無効</translation>
+    </message>
+    <message>
+        <source>it belongs to no job: choose one that does.</source>
+        <translation>どのジョブにも属していません。ジョブに属するものを選んでください。</translation>
+    </message>
+    <message>
+        <source>it can be one of trivkins, {}: take a machine file of that kind and change it.</source>
+        <translation>使えるのは trivkins、{} です。その種類の機械ファイルをもとに変えてください。</translation>
+    </message>
+    <message>
+        <source>it cannot be read ({}): give another file.</source>
+        <translation>読めません ({})。別のファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>it cannot be read ({}): save it as PNG.</source>
+        <translation>読めません ({})。PNG で保存してください。</translation>
+    </message>
+    <message>
+        <source>it cannot be taken away ({}): change the folder&apos;s permissions.</source>
+        <translation>削除できません ({})。フォルダーの権限を変えてください。</translation>
+    </message>
+    <message>
+        <source>it cannot be with a tilted tool, whose moves are in inverse time: set Controls to Feed.</source>
+        <translation>逆時間送りで動く傾いた工具とは併用できません。制御を送りにしてください。</translation>
+    </message>
+    <message>
+        <source>it cannot be written ({}): give another file.</source>
+        <translation>書き込めません ({})。別のファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>it could not be written: make room or choose a folder.</source>
+        <translation>書き込めませんでした。空きを作るか、別のフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>it does not keep {}{} of {}: use one of PatchMill&apos;s own posts.</source>
+        <translation>{2} の {0}{1} が保たれません。PatchMill のポストを使ってください。</translation>
+    </message>
+    <message>
+        <source>it does not take the arguments {}: change them, or use another post-processor.</source>
+        <translation>引数 {} を受け付けません。変えるか、別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>it failed ({}): use another post-processor.</source>
+        <translation>失敗しました ({})。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>it failed in a way that FreeCAD&apos;s report view tells.</source>
+        <translation>失敗しました。FreeCAD のレポートビューに理由があります。</translation>
+    </message>
+    <message>
+        <source>it has an error, so that nothing after it is computed: mend it.</source>
+        <translation>エラーがあり、その後が計算されません。直してください。</translation>
+    </message>
+    <message>
+        <source>it has more than {} bytes: give a smaller file.</source>
+        <translation>{} バイトを超えています。小さいファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>it has no moves: recompute it.</source>
+        <translation>移動がありません。再計算してください。</translation>
+    </message>
+    <message>
+        <source>it has no path: take it out of the job&apos;s operations.</source>
+        <translation>経路がありません。ジョブの操作から外してください。</translation>
+    </message>
+    <message>
+        <source>it has no posture.</source>
+        <translation>姿勢がありません。</translation>
+    </message>
+    <message>
+        <source>it has no rotary axes: choose a machine that has, or only Feed.</source>
+        <translation>回転軸がありません。回転軸のある機械か、送りだけを選んでください。</translation>
+    </message>
+    <message>
+        <source>it has no surface: repair the shape.</source>
+        <translation>曲面がありません。形状を直してください。</translation>
+    </message>
+    <message>
+        <source>it has no wires: choose sketches or wires.</source>
+        <translation>ワイヤーがありません。スケッチかワイヤーを選んでください。</translation>
+    </message>
+    <message>
+        <source>it includes itself.</source>
+        <translation>自分自身を含んでいます。</translation>
+    </message>
+    <message>
+        <source>it is a device or a pipe, not a file: give another one.</source>
+        <translation>ファイルではなくデバイスかパイプです。別のものを指定してください。</translation>
+    </message>
+    <message>
+        <source>it is a device or a pipe, not a file: name another one.</source>
+        <translation>ファイルではなくデバイスかパイプです。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>it is empty: give the program of this job.</source>
+        <translation>空です。このジョブのプログラムを指定してください。</translation>
+    </message>
+    <message>
+        <source>it is gone: choose a face again.</source>
+        <translation>なくなっています。面を選び直してください。</translation>
+    </message>
+    <message>
+        <source>it is inside out, its faces look into it: reverse the shape, or make the solid again.</source>
+        <translation>裏返っていて、面が内側を向いています。形状を反転するか、ソリッドを作り直してください。</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply.</source>
+        <translation>入れ子が深すぎます。</translation>
+    </message>
+    <message>
+        <source>it is no LinuxCNC configuration: it says nothing of axes.</source>
+        <translation>LinuxCNC の設定ではありません。軸の記述がありません。</translation>
+    </message>
+    <message>
+        <source>it is no work offset of a control: choose G54 to G59.3 in the job&apos;s setup.</source>
+        <translation>制御装置のワークオフセットではありません。ジョブの設定で G54 から G59.3 を選んでください。</translation>
+    </message>
+    <message>
+        <source>it is not in the job {}: choose faces of {}.</source>
+        <translation>ジョブ {} にありません。{} の面を選んでください。</translation>
+    </message>
+    <message>
+        <source>it is of an earlier posting, and would be run after these: take it away.</source>
+        <translation>前のポストのもので、これらの後に実行されます。取り除いてください。</translation>
+    </message>
+    <message>
+        <source>it is parallel to axis {}: two parallel rotary axes are one.</source>
+        <translation>軸 {} と平行です。平行な二つの回転軸は一つと同じです。</translation>
+    </message>
+    <message>
+        <source>it is switched off.</source>
+        <translation>無効になっています。</translation>
+    </message>
+    <message>
+        <source>it stands twice, and all would be milled twice at one place: name it once.</source>
+        <translation>二度あり、すべてが同じ場所で二度削られます。一度にしてください。</translation>
+    </message>
+    <message>
+        <source>it would change a texture&apos;s path, which is its timing: take it away.</source>
+        <translation>テクスチャの経路を変えますが、経路はタイミングです。取り除いてください。</translation>
+    </message>
+    <message>
+        <source>it would end the program, which the post does: take it out.</source>
+        <translation>プログラムが終わりますが、それはポストが行います。取り除いてください。</translation>
+    </message>
+    <message>
+        <source>it would have to turn at {} times its greatest velocity in move {}: smooth the tool axes, or {}.</source>
+        <translation>移動 {1} で最大速度の {0} 倍で回ることになります。工具軸を滑らかにするか、{2}。</translation>
+    </message>
+    <message>
+        <source>it would take {} GB of memory, and {} GB are free: {}</source>
+        <translation>メモリーが {} GB 必要ですが、空きは {} GB です: {}</translation>
+    </message>
+    <message>
+        <source>it would take {} GB: scale it down to {} million pixels, one for each dimple does.</source>
+        <translation>{} GB 必要です。{} 百万画素に縮小してください。ディンプルごとに 1 画素で足ります。</translation>
+    </message>
+    <message>
+        <source>it wrote nothing: use another post-processor.</source>
+        <translation>何も書かれませんでした。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>its controller does not keep the tool tip: choose one with TCP.</source>
+        <translation>制御装置が工具先端を保ちません。TCP のあるものを選んでください。</translation>
+    </message>
+    <message>
+        <source>its ends are not on one circle, by {} mm: choose another operation.</source>
+        <translation>両端が一つの円上になく、{} mm ずれています。別の操作を選んでください。</translation>
+    </message>
+    <message>
+        <source>its feed is a timing, which must not change.</source>
+        <translation>送りはタイミングなので変えられません。</translation>
+    </message>
+    <message>
+        <source>its motion is not known: {}.</source>
+        <translation>動きが分かりません。{}。</translation>
+    </message>
+    <message>
+        <source>its start phase was found by a version that counted it anew in each program: mill a calibration patch anew.</source>
+        <translation>開始位相は、プログラムごとに数え直す版で求めたものです。較正パッチを削り直してください。</translation>
+    </message>
+    <message>
+        <source>its start phase was found with the controller &apos;{}&apos;, and it has &apos;{}&apos;: mill a calibration patch anew.</source>
+        <translation>開始位相はツールコントローラー「{}」で求めましたが、今は「{}」です。較正パッチを削り直してください。</translation>
+    </message>
+    <message>
+        <source>its tool is tilted already: choose an upright path.</source>
+        <translation>工具がすでに傾いています。直立の経路を選んでください。</translation>
+    </message>
+    <message>
+        <source>leave its feed alone: a texture&apos;s feed is its timing.</source>
+        <translation>送りはそのままにしてください。テクスチャの送りはタイミングです。</translation>
+    </message>
+    <message>
+        <source>legs can be fitted to stops only where the machine stops: use exact stop.</source>
+        <translation>区間を停止に合わせられるのは機械が止まる所だけです。イグザクトストップを使ってください。</translation>
+    </message>
+    <message>
+        <source>let the operation mill a face of the job&apos;s model.</source>
+        <translation>ジョブのモデルの面を削る操作にしてください。</translation>
+    </message>
+    <message>
+        <source>line {} begins at X{} Y{} Z{}</source>
+        <translation>{} 行目は X{} Y{} Z{} から始まる</translation>
+    </message>
+    <message>
+        <source>live, choose the whole model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower limit above the upper one</source>
+        <translation>下限が上限を超えている</translation>
+    </message>
+    <message>
+        <source>make voxels about {} mm or raise the memory limit.</source>
+        <translation>ボクセルを約 {} mm にするか、メモリーの上限を上げてください。</translation>
+    </message>
+    <message>
+        <source>masks need dimples on a lattice: choose None.</source>
+        <translation>マスクには格子上のディンプルが必要です。なしを選んでください。</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>ありません</translation>
+    </message>
+    <message>
+        <source>move the part into the stock or enlarge it.</source>
+        <translation>部品を素材の中に動かすか、素材を大きくしてください。</translation>
+    </message>
+    <message>
+        <source>move the part into the stock or enlarge the stock.</source>
+        <translation>部品を素材の中に動かすか、素材を大きくしてください。</translation>
+    </message>
+    <message>
+        <source>name a machine file with rotary axes: they tilt the tool.</source>
+        <translation>回転軸のある機械ファイルを指定してください。回転軸が工具を傾けます。</translation>
+    </message>
+    <message>
+        <source>name the machine on which the patch was milled.</source>
+        <translation>パッチを削った機械を指定してください。</translation>
+    </message>
+    <message>
+        <source>no JSON</source>
+        <translation>JSON ではない</translation>
+    </message>
+    <message>
+        <source>no Resources/machines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no dimples</source>
+        <translation>ディンプルがない</translation>
+    </message>
+    <message>
+        <source>no direction at dimple {}</source>
+        <translation>ディンプル {} に方向がない</translation>
+    </message>
+    <message>
+        <source>no machine</source>
+        <translation>機械がない</translation>
+    </message>
+    <message>
+        <source>no operation, tool or work offset there has this word: take it out of the post.</source>
+        <translation>そこにはこの語を持つ操作、工具、ワークオフセットがありません。ポストから取り除いてください。</translation>
+    </message>
+    <message>
+        <source>no path</source>
+        <translation>経路がない</translation>
+    </message>
+    <message>
+        <source>no phase is wanted at this dimple.</source>
+        <translation>このディンプルに位相は求められていません。</translation>
+    </message>
+    <message>
+        <source>no phase is wanted there.</source>
+        <translation>そこに位相は求められていません。</translation>
+    </message>
+    <message>
+        <source>no place of the faces can be cut from this direction: choose another direction, a steeper limit or other faces.</source>
+        <translation>この方向から削れる場所が面にありません。別の方向、急な制限、または別の面を選んでください。</translation>
+    </message>
+    <message>
+        <source>no places</source>
+        <translation>場所がない</translation>
+    </message>
+    <message>
+        <source>no posture for dimple {}</source>
+        <translation>ディンプル {} に姿勢がない</translation>
+    </message>
+    <message>
+        <source>no shape</source>
+        <translation>形状がない</translation>
+    </message>
+    <message>
+        <source>no volume</source>
+        <translation>体積がない</translation>
+    </message>
+    <message>
+        <source>no way in</source>
+        <translation>進入路がない</translation>
+    </message>
+    <message>
+        <source>none of its moves end on the texture&apos;s dimples.</source>
+        <translation>テクスチャのディンプルで終わる移動がありません。</translation>
+    </message>
+    <message>
+        <source>none over the part</source>
+        <translation>部品の上にない</translation>
+    </message>
+    <message>
+        <source>not Scanning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not computed</source>
+        <translation>未計算</translation>
+    </message>
+    <message>
+        <source>not finite</source>
+        <translation>有限でない</translation>
+    </message>
+    <message>
+        <source>not in the program</source>
+        <translation>プログラムにない</translation>
+    </message>
+    <message>
+        <source>one tooth per dimple takes {} mm/s: turn the spindle at no more than {} rpm.</source>
+        <translation>ディンプルごとに一刃では {} mm/s になります。主軸を {} rpm 以下にしてください。</translation>
+    </message>
+    <message>
+        <source>only your own machine files can be taken away.</source>
+        <translation>削除できるのは自分の機械ファイルだけです。</translation>
+    </message>
+    <message>
+        <source>other K or F words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other K or F words in line {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other words G61 and G64</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan one for each of the {} dimples.</source>
+        <translation>{} 個のディンプルごとに一つ計画してください。</translation>
+    </message>
+    <message>
+        <source>plan the postures of these dimples.</source>
+        <translation>これらのディンプルの姿勢を計画してください。</translation>
+    </message>
+    <message>
+        <source>post the operations of a job.</source>
+        <translation>ジョブの操作をポストしてください。</translation>
+    </message>
+    <message>
+        <source>programs are in ASCII letters: use no others.</source>
+        <translation>プログラムは ASCII 文字です。他の文字は使わないでください。</translation>
+    </message>
+    <message>
+        <source>recordings are cut with an upright tool only.</source>
+        <translation>記録は直立した工具でだけ削れます。</translation>
+    </message>
+    <message>
+        <source>repair the operation before posting.</source>
+        <translation>ポストの前に操作を直してください。</translation>
+    </message>
+    <message>
+        <source>repair the shape.</source>
+        <translation>形状を直してください。</translation>
+    </message>
+    <message>
+        <source>rotary axes</source>
+        <translation>回転軸</translation>
+    </message>
+    <message>
+        <source>rotary words</source>
+        <translation>回転軸の語</translation>
+    </message>
+    <message>
+        <source>rounded corners (G64)</source>
+        <translation>丸めたコーナー (G64)</translation>
+    </message>
+    <message>
+        <source>samples must be in order of time.</source>
+        <translation>記録は時間の順に並べてください。</translation>
+    </message>
+    <message>
+        <source>say which copy goes on.</source>
+        <translation>続けるコピーを指定してください。</translation>
+    </message>
+    <message>
+        <source>say which of the job&apos;s goes on.</source>
+        <translation>ジョブのどれを続けるか指定してください。</translation>
+    </message>
+    <message>
+        <source>select a face, not an edge or a vertex.</source>
+        <translation>辺や頂点ではなく面を選択してください。</translation>
+    </message>
+    <message>
+        <source>select at least one face.</source>
+        <translation>面を少なくとも一つ選択してください。</translation>
+    </message>
+    <message>
+        <source>set Flutes of {} to what the tool has; proposed: {}, as most ball end mills have.</source>
+        <translation>{} の Flutes を工具の刃数にしてください。ボールエンドミルに多い {} を提案します。</translation>
+    </message>
+    <message>
+        <source>set the feeds of its tool controller.</source>
+        <translation>ツールコントローラーの送りを設定してください。</translation>
+    </message>
+    <message>
+        <source>several motions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spindle-locked</source>
+        <translation>主軸同期</translation>
+    </message>
+    <message>
+        <source>take only the posture from the voxel model: a texture&apos;s feed is its timing.</source>
+        <translation>ボクセルモデルからは姿勢だけを使ってください。テクスチャの送りはタイミングです。</translation>
+    </message>
+    <message>
+        <source>textures are posted in millimetres.</source>
+        <translation>テクスチャはミリメートルでポストします。</translation>
+    </message>
+    <message>
+        <source>the angle between the flanks of {} is more than 0 and at most 120 degrees.</source>
+        <translation>{} の側面のなす角は 0 より大きく 120 度以下です。</translation>
+    </message>
+    <message>
+        <source>the control of the machine {} takes {}: give --precision={} and the same Decimals.</source>
+        <translation>機械 {} の制御装置は {} 桁です。--precision={} と同じ小数桁を指定してください。</translation>
+    </message>
+    <message>
+        <source>the direction is parallel to the texture&apos;s x axis: choose another one.</source>
+        <translation>方向がテクスチャの x 軸と平行です。別の方向を選んでください。</translation>
+    </message>
+    <message>
+        <source>the faces look to all sides alike: switch it off and give a direction.</source>
+        <translation>面があらゆる側を同じように向いています。オフにして方向を指定してください。</translation>
+    </message>
+    <message>
+        <source>the feed makes {} mm a tooth: give the same.</source>
+        <translation>送りから一刃 {} mm になります。同じ値を指定してください。</translation>
+    </message>
+    <message>
+        <source>the file is read-only: name another one.</source>
+        <translation>ファイルは読み取り専用です。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>the flat bottom of {} is within its radius, {} mm.</source>
+        <translation>{} の平らな底は半径 {} mm の内側です。</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made ({}): set PATCHMILL_MACHINES to another one.</source>
+        <translation>フォルダーを作れません ({})。PATCHMILL_MACHINES を別のフォルダーにしてください。</translation>
+    </message>
+    <message>
+        <source>the free form has its spindle speed from the feed per tooth.</source>
+        <translation>自由形の回転数は一刃送りから決まります。</translation>
+    </message>
+    <message>
+        <source>the free form has no lattice: choose Helix.</source>
+        <translation>自由形に格子はありません。ヘリックスを選んでください。</translation>
+    </message>
+    <message>
+        <source>the free form is milled as a whole: give {}.</source>
+        <translation>自由形は全体として削ります。{} を指定してください。</translation>
+    </message>
+    <message>
+        <source>the free form&apos;s marks overlap: choose so.</source>
+        <translation>自由形の痕は重なります。そのように選んでください。</translation>
+    </message>
+    <message>
+        <source>the installation is not complete.</source>
+        <translation>インストールが完全ではありません。</translation>
+    </message>
+    <message>
+        <source>the job has {}.</source>
+        <translation>ジョブにあるのは {} です。</translation>
+    </message>
+    <message>
+        <source>the job makes {} files: post them with post_files().</source>
+        <translation>ジョブは {} 個のファイルになります。post_files() でポストしてください。</translation>
+    </message>
+    <message>
+        <source>the limit is {} GB: take {} mm or more, or a smaller window.</source>
+        <translation>上限は {} GB です。{} mm 以上にするか、窓を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>the machine file says that this controller cannot follow the spindle: use the feed-per-move strategy, or set the machine&apos;s spindle lock if it can.</source>
+        <translation>機械ファイルでは、この制御装置は主軸に追従できません。移動ごとの送りの方式を使うか、できるなら機械の主軸同期を有効にしてください。</translation>
+    </message>
+    <message>
+        <source>the machine goes up to {} mm/min.</source>
+        <translation>機械の最大は {} mm/min です。</translation>
+    </message>
+    <message>
+        <source>the machine {} has no TCP.</source>
+        <translation>機械 {} に TCP はありません。</translation>
+    </message>
+    <message>
+        <source>the machine {} has the control {}: use patchmill_{}, or choose another machine.</source>
+        <translation>機械 {} の制御装置は {} です。patchmill_{} を使うか、別の機械を選んでください。</translation>
+    </message>
+    <message>
+        <source>the machine {} says that its controller cannot follow the spindle: use feed per move or constant feed.</source>
+        <translation>機械 {} の制御装置は主軸に追従できません。移動ごとの送りか一定送りを使ってください。</translation>
+    </message>
+    <message>
+        <source>the mesh is not closed: repair it, or take it out of the job.</source>
+        <translation>メッシュが閉じていません。直すか、ジョブから外してください。</translation>
+    </message>
+    <message>
+        <source>the net would have {} nodes, more than the limit of {}: choose a larger spacing or a smaller area.</source>
+        <translation>ネットの節点は {} 個になり、上限 {} を超えます。間隔を大きくするか、領域を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>the next operation with {} would find the spindle so: end this one by M{}.</source>
+        <translation>{} の次の操作で主軸がこの状態になります。この操作を M{} で終えてください。</translation>
+    </message>
+    <message>
+        <source>the operation begins at X{} Y{} Z{}: use another post-processor.</source>
+        <translation>操作は X{} Y{} Z{} から始まります。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the operation has F {} there: use another post-processor.</source>
+        <translation>操作ではそこが F {} です。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the operation has another one there: use another post-processor.</source>
+        <translation>操作ではそこが違います。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the operation has no such word: use another post-processor.</source>
+        <translation>操作にそのような語はありません。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the operation has {} there: use another post-processor.</source>
+        <translation>操作ではそこが {} です。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the operation has {}: use another post-processor.</source>
+        <translation>操作には {} があります。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the operation is milled with TCP {}: use another post-processor.</source>
+        <translation>操作は TCP {} で削ります。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the operation under it is gone: delete the dressup.</source>
+        <translation>元の操作がなくなっています。ドレスアップを削除してください。</translation>
+    </message>
+    <message>
+        <source>the patch has no two passes at a cross-feed of {} mm: choose a longer side.</source>
+        <translation>ピックフィード {} mm ではパッチに二つのパスが入りません。辺を長くしてください。</translation>
+    </message>
+    <message>
+        <source>the patch has {}.</source>
+        <translation>パッチにあるのは {} です。</translation>
+    </message>
+    <message>
+        <source>the path ends a move on a dimple that the plan does not cut.</source>
+        <translation>計画で削らないディンプルで終わる移動があります。</translation>
+    </message>
+    <message>
+        <source>the path has no timed move before its first dimple that could be lengthened.</source>
+        <translation>最初のディンプルの前に、延ばせる時間つきの移動がありません。</translation>
+    </message>
+    <message>
+        <source>the path is not of constant feed {} mm/s.</source>
+        <translation>経路は一定送り {} mm/s ではありません。</translation>
+    </message>
+    <message>
+        <source>the path would take {} interpolation periods: too many to follow one by one.</source>
+        <translation>経路は補間周期 {} 回になり、一つずつ追うには多すぎます。</translation>
+    </message>
+    <message>
+        <source>the post leaves TCP on for what comes after it: end the operation by {}.</source>
+        <translation>ポストが TCP を有効のまま残します。操作を {} で終えてください。</translation>
+    </message>
+    <message>
+        <source>the post leaves it on for {}, whose coolant is None: end the operation by M9.</source>
+        <translation>クーラントなしの {} にもクーラントが残ります。操作を M9 で終えてください。</translation>
+    </message>
+    <message>
+        <source>the post leaves it on for {}: end the operation by {}.</source>
+        <translation>{} まで残ります。操作を {} で終えてください。</translation>
+    </message>
+    <message>
+        <source>the post writes {} decimals: give --precision={} or change Decimals.</source>
+        <translation>ポストは小数 {} 桁で書きます。--precision={} を指定するか、小数桁を変えてください。</translation>
+    </message>
+    <message>
+        <source>the post-processor changed the path: use another one.</source>
+        <translation>ポストプロセッサが経路を変えました。別のものを使ってください。</translation>
+    </message>
+    <message>
+        <source>the post-processor does not keep them: use patchmill_linuxcnc.</source>
+        <translation>ポストプロセッサがそれらを保ちません。patchmill_linuxcnc を使ってください。</translation>
+    </message>
+    <message>
+        <source>the posted text has a phase error of {} degrees in {} runs: post more decimals.</source>
+        <translation>ポストしたプログラムは {1} 区間で位相誤差が {0} 度です。小数桁を増やしてください。</translation>
+    </message>
+    <message>
+        <source>the posted text turns the spindle at {} rpm where {} is milled.</source>
+        <translation>ポストしたプログラムでは、{1} を削る所で主軸が {0} rpm です。</translation>
+    </message>
+    <message>
+        <source>the posted text turns the spindle at {} rpm {}.</source>
+        <translation>ポストしたプログラムでは主軸が {} rpm です {}。</translation>
+    </message>
+    <message>
+        <source>the posture did not converge (residual {}): try another size.</source>
+        <translation>姿勢が収束しません (残差 {})。別の大きさを試してください。</translation>
+    </message>
+    <message>
+        <source>the program does not call the tool&apos;s length: use another post-processor.</source>
+        <translation>プログラムが工具長を呼び出しません。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the program does not have it: use a post-processor that keeps it, or leave it out.</source>
+        <translation>プログラムにありません。それを保つポストプロセッサを使うか、省いてください。</translation>
+    </message>
+    <message>
+        <source>the program does not switch it on for {}: choose None, or another post-processor.</source>
+        <translation>プログラムが {} で有効にしません。なしか、別のポストプロセッサを選んでください。</translation>
+    </message>
+    <message>
+        <source>the program ends with it: use another post-processor.</source>
+        <translation>プログラムがそのまま終わります。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the program ends without it: use another post-processor.</source>
+        <translation>プログラムがそれなしで終わります。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the program has T{} in the spindle where {} is milled.</source>
+        <translation>{1} を削る所で、プログラムの主軸の工具は T{0} です。</translation>
+    </message>
+    <message>
+        <source>the program has it on where {} begins: end the operation before by M9.</source>
+        <translation>{} の始まりで有効のままです。前の操作を M9 で終えてください。</translation>
+    </message>
+    <message>
+        <source>the program has {} in force where {} begins: use another post-processor.</source>
+        <translation>{1} の始まりで {0} が有効です。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the recorded spindle turns the other way at {} s.</source>
+        <translation>記録された主軸は {} s で逆に回っています。</translation>
+    </message>
+    <message>
+        <source>the rotary axis next to the tool is parallel to the tool: it cannot tilt it. List the axes in chain order, from the work to the tool.</source>
+        <translation>工具に最も近い回転軸が工具と平行で、傾けられません。ワークから工具への順に軸を並べてください。</translation>
+    </message>
+    <message>
+        <source>the shape could not be read: repair it.</source>
+        <translation>形状を読めませんでした。直してください。</translation>
+    </message>
+    <message>
+        <source>the spindle must turn: Forward or Reverse.</source>
+        <translation>主軸が回る必要があります。Forward か Reverse にしてください。</translation>
+    </message>
+    <message>
+        <source>the strategy &apos;{}&apos; needs a machine file.</source>
+        <translation>方式「{}」には機械ファイルが必要です。</translation>
+    </message>
+    <message>
+        <source>the strategy has none to choose: leave it out.</source>
+        <translation>この方式で選ぶものはありません。省いてください。</translation>
+    </message>
+    <message>
+        <source>the table or head turns in line {} without it: use another post-processor.</source>
+        <translation>{} 行目でそれなしにテーブルかヘッドが回ります。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the texture belongs to no job with a stock and a model.</source>
+        <translation>テクスチャが、素材とモデルのあるジョブに属していません。</translation>
+    </message>
+    <message>
+        <source>the texture has nothing to look at.</source>
+        <translation>テクスチャに見るものがありません。</translation>
+    </message>
+    <message>
+        <source>the texture has the patches 1 to {}.</source>
+        <translation>テクスチャのパッチは 1 から {} です。</translation>
+    </message>
+    <message>
+        <source>the times of stops are known to a period only without a jerk limit.</source>
+        <translation>停止の時間が一周期まで分かるのは、躍度の制限がないときだけです。</translation>
+    </message>
+    <message>
+        <source>the tool is changed in line {} without it: use another post-processor.</source>
+        <translation>{} 行目でそれなしに工具が替わります。別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>the tool must stand out further than its cutting end.</source>
+        <translation>工具の突き出しは刃部より長くしてください。</translation>
+    </message>
+    <message>
+        <source>the tool of {} needs a diameter greater than zero.</source>
+        <translation>{} の工具には 0 より大きい直径が必要です。</translation>
+    </message>
+    <message>
+        <source>the tool reaches Z {} mm between dimples: give a greater safe height.</source>
+        <translation>ディンプルの間で工具が Z {} mm に達します。安全高さを大きくしてください。</translation>
+    </message>
+    <message>
+        <source>the tool tip is at Z {} mm on dimple {}: give a greater safe height.</source>
+        <translation>ディンプル {1} で工具先端が Z {0} mm になります。安全高さを大きくしてください。</translation>
+    </message>
+    <message>
+        <source>the tool tip is at Z {} mm on mark {}: give a greater safe height.</source>
+        <translation>痕 {1} で工具先端が Z {0} mm になります。安全高さを大きくしてください。</translation>
+    </message>
+    <message>
+        <source>the upper corner must not lie below the lower one, nor too far from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the voxels lie from {} to {} mm.</source>
+        <translation>ボクセルは {} から {} mm にあります。</translation>
+    </message>
+    <message>
+        <source>there can be no such file ({}): give another name.</source>
+        <translation>そのようなファイルは作れません ({})。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>there can be no such file: give another name.</source>
+        <translation>そのようなファイルは作れません。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>there is no object &apos;{}&apos; with a shape: {}</source>
+        <translation>形状のあるオブジェクト「{}」がありません: {}</translation>
+    </message>
+    <message>
+        <source>there is no operation with a tool controller below it.</source>
+        <translation>下にツールコントローラーのある操作がありません。</translation>
+    </message>
+    <message>
+        <source>there is no such file: choose a picture.</source>
+        <translation>そのファイルはありません。画像を選んでください。</translation>
+    </message>
+    <message>
+        <source>there is no such machine file; there are: {}.</source>
+        <translation>その機械ファイルはありません。あるのは {} です。</translation>
+    </message>
+    <message>
+        <source>there is no such post-processor.</source>
+        <translation>そのポストプロセッサはありません。</translation>
+    </message>
+    <message>
+        <source>there must be a dimple to look at.</source>
+        <translation>見るディンプルが必要です。</translation>
+    </message>
+    <message>
+        <source>this FreeCAD posts the tool bit&apos;s: set both alike.</source>
+        <translation>この FreeCAD は工具ビットの値をポストします。両方を同じにしてください。</translation>
+    </message>
+    <message>
+        <source>this feed move is of no operation: take it out of the post.</source>
+        <translation>この送りの移動はどの操作のものでもありません。ポストから取り除いてください。</translation>
+    </message>
+    <message>
+        <source>this place is off the faces: choose one on them.</source>
+        <translation>この場所は面の外です。面の上を選んでください。</translation>
+    </message>
+    <message>
+        <source>this speed alone is judged.</source>
+        <translation>判定するのはこの回転数だけです。</translation>
+    </message>
+    <message>
+        <source>this word is not understood: choose another operation.</source>
+        <translation>この語は分かりません。別の操作を選んでください。</translation>
+    </message>
+    <message>
+        <source>tilted</source>
+        <translation>傾いている</translation>
+    </message>
+    <message>
+        <source>tools are changed by tool controllers: give the operation that of the tool, and take the word out.</source>
+        <translation>工具はツールコントローラーで替えます。操作にその工具のものを設定し、この語を取り除いてください。</translation>
+    </message>
+    <message>
+        <source>unknown in move {}</source>
+        <translation>移動 {} で不明</translation>
+    </message>
+    <message>
+        <source>use ASCII letters in labels and comments.</source>
+        <translation>ラベルとコメントには ASCII 文字を使ってください。</translation>
+    </message>
+    <message>
+        <source>use another post-processor.</source>
+        <translation>別のポストプロセッサを使ってください。</translation>
+    </message>
+    <message>
+        <source>use letters, digits, points, dashes and underscores for its name.</source>
+        <translation>名前には英数字、ピリオド、ハイフン、下線を使ってください。</translation>
+    </message>
+    <message>
+        <source>what a tool of kind &apos;{}&apos; leaves is not known: give 0.</source>
+        <translation>種類「{}」の工具の削り残しは分かりません。0 を指定してください。</translation>
+    </message>
+    <message>
+        <source>where that moves the tool is not known here: post the operation in a job of its own.</source>
+        <translation>それで工具がどこへ動くか分かりません。操作を別のジョブでポストしてください。</translation>
+    </message>
+    <message>
+        <source>without TCP a tilting head needs the length from its gauge point to the tip.</source>
+        <translation>TCP なしの傾斜ヘッドには、基準点から先端までの長さが必要です。</translation>
+    </message>
+    <message>
+        <source>work offsets are the job&apos;s: choose it in the job&apos;s setup, and take it out here.</source>
+        <translation>ワークオフセットはジョブのものです。ジョブの設定で選び、ここから取り除いてください。</translation>
+    </message>
+    <message>
+        <source>work offsets are the job&apos;s: choose it in the job&apos;s setup, and take the operation out.</source>
+        <translation>ワークオフセットはジョブのものです。ジョブの設定で選び、操作を外してください。</translation>
+    </message>
+    <message>
+        <source>{} Nothing is posted; {} Set PostGouging to post it all the same.</source>
+        <translation>{} ポストしませんでした。{} それでもポストするには PostGouging を有効にしてください。</translation>
+    </message>
+    <message>
+        <source>{} Set PostUnheld to post it all the same.</source>
+        <translation>{} それでもポストするには PostUnheld を有効にしてください。</translation>
+    </message>
+    <message>
+        <source>{} Tilt less.</source>
+        <translation>{} 傾きを小さくしてください。</translation>
+    </message>
+    <message>
+        <source>{} and {} have it, and are different tools: give one of them another number.</source>
+        <translation>{} と {} が同じ番号ですが別の工具です。片方の番号を変えてください。</translation>
+    </message>
+    <message>
+        <source>{} asks for {} {}: give that, or leave one of them empty.</source>
+        <translation>{} から {} {} になります。それを指定するか、片方を空にしてください。</translation>
+    </message>
+    <message>
+        <source>{} cannot read it: {}.</source>
+        <translation>{} には読めません。{}。</translation>
+    </message>
+    <message>
+        <source>{} dimples are more than the limit of {}: choose a larger spacing or fewer patches.</source>
+        <translation>{} 個のディンプルは上限 {} を超えます。間隔を大きくするか、パッチを減らしてください。</translation>
+    </message>
+    <message>
+        <source>{} does not know it.</source>
+        <translation>{} の知らないものです。</translation>
+    </message>
+    <message>
+        <source>{} has no block that follows the spindle: use feed per move or constant feed.</source>
+        <translation>{} に主軸に追従するブロックはありません。移動ごとの送りか一定送りを使ってください。</translation>
+    </message>
+    <message>
+        <source>{} has no such work offset: choose {} in the job&apos;s setup.</source>
+        <translation>{} にそのワークオフセットはありません。ジョブの設定で {} を選んでください。</translation>
+    </message>
+    <message>
+        <source>{} has no word for them: use constant feed.</source>
+        <translation>{} にはその語がありません。一定送りを使ってください。</translation>
+    </message>
+    <message>
+        <source>{} has taken its place in the job: choose that.</source>
+        <translation>ジョブの中では {} に置き換わっています。そちらを選んでください。</translation>
+    </message>
+    <message>
+        <source>{} in {}, {} in its tool bit</source>
+        <translation>{1} では {0}、工具ビットでは {2}</translation>
+    </message>
+    <message>
+        <source>{} is drawn there, and not milled there: set it to zero, and move the model.</source>
+        <translation>{} は描かれた所では削られません。0 にしてモデルを動かしてください。</translation>
+    </message>
+    <message>
+        <source>{} is milled with it: give the tool controller {} one.</source>
+        <translation>{} の加工に使います。ツールコントローラー {} に設定してください。</translation>
+    </message>
+    <message>
+        <source>{} is posted in millimetres.</source>
+        <translation>{} はミリメートルでポストします。</translation>
+    </message>
+    <message>
+        <source>{} is switched off: switch it on.</source>
+        <translation>{} が無効です。有効にしてください。</translation>
+    </message>
+    <message>
+        <source>{} marks are more than the limit of {}: choose a larger feed per tooth or fewer patches.</source>
+        <translation>{} 個の痕は上限 {} を超えます。一刃送りを大きくするか、パッチを減らしてください。</translation>
+    </message>
+    <message>
+        <source>{} mm for {} mm of stock</source>
+        <translation>素材 {1} mm に対して {0} mm</translation>
+    </message>
+    <message>
+        <source>{} mm outside the stock</source>
+        <translation>素材の外に {} mm</translation>
+    </message>
+    <message>
+        <source>{} mm radial, {} mm axial</source>
+        <translation>半径方向 {} mm、軸方向 {} mm</translation>
+    </message>
+    <message>
+        <source>{} mm, about {} million triangles</source>
+        <translation>{} mm、三角形 約 {} 百万</translation>
+    </message>
+    <message>
+        <source>{} mm, {} points a level</source>
+        <translation>{} mm、各高さ {} 点</translation>
+    </message>
+    <message>
+        <source>{} mm, {} voxels of box, about {} MiB of the {} MiB allowed</source>
+        <translation>{0} mm、直方体 {1} ボクセル、許容 {3} MiB のうち約 {2} MiB</translation>
+    </message>
+    <message>
+        <source>{} names {}, and a program is for one machine: choose the same, or post {} by itself.</source>
+        <translation>{} は {} ですが、プログラムは一つの機械用です。同じにするか、{} を単独でポストしてください。</translation>
+    </message>
+    <message>
+        <source>{} of {} dimples read back</source>
+        <translation>{1} 個中 {0} 個のディンプルを読み戻した</translation>
+    </message>
+    <message>
+        <source>{} of {} has {}: no smaller piece is made of it.</source>
+        <translation>{1} の {0} は {2} です。これより小さくは分けません。</translation>
+    </message>
+    <message>
+        <source>{} of {} moves read back</source>
+        <translation>{1} 個中 {0} 個の移動を読み戻した</translation>
+    </message>
+    <message>
+        <source>{} s, r = D dt / dx^2 = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} sags and {} normals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} stops between patches</source>
+        <translation>パッチ間の停止 {} 回</translation>
+    </message>
+    <message>
+        <source>{} timed moves</source>
+        <translation>時間つきの移動 {} 個</translation>
+    </message>
+    <message>
+        <source>{} turns at {} rpm: take the word out, and give the operation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} turns take the tool {} mm, and dimple {} is {} mm away: give at least {} ExtraTurns.</source>
+        <translation>{} 回転で工具は {} mm 進みますが、ディンプル {} まで {} mm あります。追加回転を {} 以上にしてください。</translation>
+    </message>
+    <message>
+        <source>{} with a ball end mill: choose one.</source>
+        <translation>{} にはボールエンドミルを使います。選んでください。</translation>
+    </message>
+    <message>
+        <source>{} writes it as it is: use letters and digits, or one of PatchMill&apos;s own posts.</source>
+        <translation>{} はそのまま書きます。英数字か PatchMill のポストを使ってください。</translation>
+    </message>
+    <message>
+        <source>{} x {} with {} values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: repair the shape.</source>
+        <translation>{}。形状を直してください。</translation>
+    </message>
+    <message>
+        <source>{}: use one of PatchMill&apos;s own posts.</source>
+        <translation>{}。PatchMill のポストを使ってください。</translation>
+    </message>
+    <message>
+        <source>{}choose Without TCP.</source>
+        <translation>{}TCP なしを選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>
