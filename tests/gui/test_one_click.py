@@ -105,9 +105,13 @@ class OneClick(driver.unittest.TestCase):
         scene = self.panel.scene
         self.assertTrue(driver.wait(lambda: scene.filled("relief") and scene.complete, 60))
         self.assertTrue(scene.shown("relief"))
+        before, shown = self.panel.advising.drawn, []
+        self.panel.placing.finished.connect(lambda _: shown.append(scene.filled("relief")))
         driver.set_quantity(self.panel, "Spacing", 0.7)
-        self.assertTrue(driver.wait(lambda: not scene.filled("relief"), 60))  # with the dimples of before
-        self.assertTrue(driver.wait(lambda: scene.filled("relief"), 150))
+        self.assertTrue(driver.wait(lambda: shown, 60))
+        self.assertEqual(shown, [False])  # it goes with the dimples of before
+        self.assertTrue(driver.wait(lambda: self.panel.advising.drawn is not before, 150))
+        self.assertTrue(scene.filled("relief"))
         box = self.panel.page.previews["relief"]
         hands.show(box)
         hands.click(box)

@@ -17,7 +17,7 @@ from patchmill_gui.fields import unit_text
 from patchmill_gui.fields.known_sentences import translated_error
 from patchmill_gui.forms.widgets import translate
 from patchmill_gui.panels.texture_head import Head
-from patchmill_gui.views.worst_relief import assess_and_draw
+from patchmill_gui.views.worst_relief import assess_and_draw, first_relief
 from patchmill_gui.work.background import Background
 
 assess = assessment.with_simulation(simulate)
@@ -48,8 +48,8 @@ def _find_help(finder, given, progress):
 
 
 class Advising(QtCore.QObject):
-    """`chosen` when a new texture has its values, or will have none; `relief` with the displays of the worst
-    place that was looked at."""
+    """`chosen` when a new texture has its values, or will have none; `relief` with the displays of the
+    flattest place, soon, and of the worst that was looked at, when all were."""
 
     chosen, relief = QtCore.Signal(), QtCore.Signal(object)
     drawn: tuple = (None, {})  # displays of that relief, after the TextureInput that it is of
@@ -59,10 +59,14 @@ class Advising(QtCore.QObject):
         self.obj, self.show_properties = obj, show_properties
         self.head = Head()
         self.head.taken.connect(self._take)
-        self.choosing, self.assessing, self.helping = (Background(brief=True) for _ in range(3))
+        self.choosing, self.looking, self.assessing, self.helping = (
+            Background(brief=True) for _ in range(4)
+        )
         self.choosing.finished.connect(self._chosen)
         # a method: PySide would hold a function, and by it this object, for good
         self.choosing.failed.connect(self._not_chosen)
+        self.looking.finished.connect(self.relief)
+        self.looking.failed.connect(self._failed)
         self.assessing.finished.connect(self._assessed)
         self.assessing.failed.connect(self._failed)
         self.helping.finished.connect(self._helped)
@@ -123,10 +127,14 @@ class Advising(QtCore.QObject):
 
     def outdate(self):
         """What the head says is no longer so."""
-        self.assessing.cancel()
-        self.helping.cancel()
+        for work in (self.looking, self.assessing, self.helping):
+            work.cancel()
         if not self.choosing.busy:
             self.head.busy(translate("PatchMill", "Computing …"))
+
+    def look(self, placed):
+        """Begins to draw the relief of the flattest place of a PlacedTexture."""
+        self.looking.start(lambda progress: first_relief(placed.asked, progress, placed))
 
     def assess(self, planned):
         """Begins to find out how good a PlannedTexture is."""
@@ -146,6 +154,7 @@ class Advising(QtCore.QObject):
         found, displays = made or (None, {})
         if found is None or self._planned is None:
             return
+        self.looking.cancel()  # the worst place is known
         self.drawn = (self._planned.asked, displays)
         self.relief.emit(displays)
         seconds = self._planned.seconds
@@ -223,6 +232,6 @@ class Advising(QtCore.QObject):
         return False
 
     def stop(self):
-        for work in (self.choosing, self.assessing, self.helping):
+        for work in (self.choosing, self.looking, self.assessing, self.helping):
             work.cancel()
         self.head.unpin()

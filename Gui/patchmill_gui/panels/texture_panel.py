@@ -126,14 +126,13 @@ class TexturePage(OperationPage):
 
 
 class TexturePanel(OperationPanel):
-    """FreeCAD's panel, with preview, and with an OK that waits for the plan without blocking."""
+    """FreeCAD's panel with preview; OK waits for the plan and blocks nothing. `error`: is shown, or None."""
 
     def __init__(self, obj, delete_on_reject, page, selection):
         super().__init__(obj, delete_on_reject, page, selection)
         self.page, self.view = page, obj.ViewObject.Proxy
         self.scene = self.view.scene
         self.placing, self.drawing, self.planning = Background(brief=True), Background(), Background()
-        self.error = None  # the InputError that is shown, for whoever asks
         self.placing.finished.connect(self._placed)
         self.placing.failed.connect(self._failed)
         self.drawing.finished.connect(self.scene.show)
@@ -143,7 +142,7 @@ class TexturePanel(OperationPanel):
         self.advising = Advising(obj, page.advised)
         self.advising.chosen.connect(self._chosen)
         self.advising.relief.connect(self.scene.show)
-        self.ready, self.accepting = None, False
+        self.error, self.ready, self.accepting = None, None, False
         self.place_timer, self.plan_timer = one_shot(self._place), one_shot(self._plan)
 
     def setupUi(self):
@@ -203,6 +202,7 @@ class TexturePanel(OperationPanel):
         self.scene.empty("relief")  # of the values before, as the dimples were until now
         self.scene.show(displays)
         self.drawing.start(lambda progress: line_displays(placed))
+        self.advising.look(placed)
         self.page.summary.setText(summary)
 
     def _plan(self):

@@ -16,7 +16,7 @@ from PySide import QtCore
 from patchmill_gui.panels.operation_base import OperationView, offer_commands
 from patchmill_gui.views.path_view import show_native_lines
 from patchmill_gui.views.texture_scene import PARTS, TextureScene, placed_displays, planned_displays
-from patchmill_gui.views.worst_relief import relief_displays
+from patchmill_gui.views.worst_relief import first_relief, relief_displays
 from patchmill_gui.work.background import Background
 
 DIMPLES, PATH, AXES, RELIEF, NATIVE = SHOWS = (
@@ -49,8 +49,9 @@ class ViewProvider(OperationView):
         """Also when a document is opened: the display is made anew, from the path that was saved."""
         super().attach(vobj)
         self.scene = TextureScene()
-        self.drawing, self.cutting = Background(), Background()
+        self.drawing, self.looking, self.cutting = (Background() for _ in range(3))
         self.drawing.finished.connect(self.scene.show)
+        self.looking.finished.connect(self._looked)
         self.cutting.finished.connect(self._cut)
         self.editing = False
         vobj.RootNode.addChild(self.scene.root)
@@ -129,14 +130,20 @@ class ViewProvider(OperationView):
         return True
 
     def _cut_relief(self, given):
-        """Shows the relief of the worst place, once it is known."""
+        """Shows the relief of the worst place, once it is known; until then of the flattest."""
         asked, displays = self.known_relief
         if asked == given:
             self.scene.show(displays)
         elif not self.cutting.busy:
+            self.looking.start(lambda progress: first_relief(given, progress))
             self.cutting.start(lambda progress: (given, relief_displays(given, progress)))
 
+    def _looked(self, displays):
+        if not (self.editing or self.simulated or self.scene.filled("relief")):
+            self.scene.show(displays)
+
     def _cut(self, made):
+        self.looking.cancel()
         self.known_relief = made
         if not (self.editing or self.simulated):
             self.scene.show(made[1])

@@ -66,12 +66,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     if not cut.any() or placed.free is not None:
         return found
     tilts = _tilts(placed)
-    numbers = np.flatnonzero(cut)
-    order = numbers[np.argsort(tilts[numbers], kind="stable")]
-    parts = [order] if len(order) <= WINDOW**2 else _parts(order, tilts[order], count)
-    neighbours = _neighbours(placed, cut)
-    alike = len(parts) == 1  # then their order by tilt is that of rounding errors
-    middles = [_central(placed, part, neighbours) if alike else _middle(part, neighbours) for part in parts]
+    parts, middles = _looked_at(placed, tilts, count)
     made: dict[int, PatchQuality] = {}
     first = len(parts) // 2 if middle_first else None
     for k in sorted(range(len(parts)), key=lambda k: k != first):
@@ -79,7 +74,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
             return None
         number = middles[k]
         made[k] = _patch(simulate, given, placed, number, float(np.degrees(tilts[number])))
-        made[k].fraction = len(parts[k]) / len(order)
+        made[k].fraction = len(parts[k]) / cut.sum()
         if k == first and made[k].quality < GOOD:
             break
     found.patches = [made[k] for k in sorted(made)]
@@ -88,6 +83,24 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     if whole and found.remains_good:
         found.whole, found.whole_area = _whole(simulate, given)
     return found
+
+
+def first_patch(simulate, given, placed, progress=None):
+    """SimulatedTexture of the patch at the flattest place of a TextureInput, where most textures are worst;
+    of the next one that can be made where that one cannot. `placed`: its PlacedTexture. None if there is
+    none, or if `progress` returned False before one."""
+    if placed.free is not None or not (placed.dimples.states == core.DimpleState.CUT).any():
+        return None
+    parts, middles = _looked_at(placed, _tilts(placed), 2)
+    for k, number in enumerate(middles):
+        if progress and not progress(k / len(parts)):
+            return None
+        asked, few = _around(given, placed, number)
+        try:
+            return _patch_alone(simulate, asked, few)[1]
+        except InputError:
+            continue
+    return None
 
 
 def _times_spacing(given):
@@ -163,6 +176,19 @@ def steepest(plan):
     return float(np.arccos(np.clip(-(normals @ np.asarray(plan.plane.direction)).max(), -1.0, 1.0)))
 
 
+def _looked_at(placed, tilts, count):
+    """(parts of the dimples, from the flattest to the steepest, the number of the dimple in the middle of the
+    patch that stands for each) of a PlacedTexture with dimples at some `tilts` [rad]."""
+    cut = placed.dimples.states == core.DimpleState.CUT
+    numbers = np.flatnonzero(cut)
+    order = numbers[np.argsort(tilts[numbers], kind="stable")]
+    parts = [order] if len(order) <= WINDOW**2 else _parts(order, tilts[order], count)
+    neighbours = _neighbours(placed, cut)
+    if len(parts) == 1:  # then their order by tilt is that of rounding errors
+        return parts, [_central(placed, parts[0], neighbours)]
+    return parts, [_middle(part, neighbours) for part in parts]
+
+
 def _parts(order, tilts, count):
     """Numbers of dimples in `order` of their ascending `tilts` [rad], in parts that a patch each stands for:
     the flattest, and `count` equal ones of the rest; one of all where the tilts are alike."""
@@ -212,16 +238,10 @@ def _tilts(placed):
 
 def _patch(simulate, given, placed, number, tilt):
     """PatchQuality of one patch whose middle is where dimple `number` of a PlacedTexture is."""
-    position = tuple(float(c) for c in placed.dimples.positions[number])
-    looked = PatchQuality(position, tilt)
-    few = placed.dimples.counts()["cut"] <= WINDOW**2  # then they are the patch
-    if not few:
-        given = replace(given, origin=position, patches_x=1, patches_y=1, minimum_dimples=0)
-        if given.mapping != "Projected":  # the same dimples from any side: steep ones are seen from theirs
-            normal = tuple(-float(c) for c in placed.dimples.normals[number])
-            given = _seen_along(given, normal)
+    looked = PatchQuality(_place(placed, number), tilt)
+    asked, few = _around(given, placed, number)
     try:
-        plan, result = _patch_alone(simulate, given, few)
+        plan, result = _patch_alone(simulate, asked, few)
     except InputError as error:
         looked.problem = str(error)
         return looked
@@ -231,6 +251,21 @@ def _patch(simulate, given, placed, number, tilt):
     looked.array = result.alignment["state"]
     looked.seconds_per_dimple = plan.path.statistics()["timed_seconds"] / max(1, plan.counts["cut"])
     return looked
+
+
+def _place(placed, number):
+    return tuple(float(c) for c in placed.dimples.positions[number])
+
+
+def _around(given, placed, number):
+    """(TextureInput of the one patch whose middle is where dimple `number` is, whether the dimples are so few
+    that they are the patch)."""
+    if placed.dimples.counts()["cut"] <= WINDOW**2:
+        return given, True
+    asked = replace(given, origin=_place(placed, number), patches_x=1, patches_y=1, minimum_dimples=0)
+    if given.mapping != "Projected":  # the same dimples from any side: steep ones are seen from theirs
+        asked = _seen_along(asked, tuple(-float(c) for c in placed.dimples.normals[number]))
+    return asked, False
 
 
 def _seen_along(given, direction):
