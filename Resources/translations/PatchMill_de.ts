@@ -1679,10 +1679,6 @@
         <translation>Name der neuen Maschinendatei:</translation>
     </message>
     <message>
-        <source>LinuxCNC configuration</source>
-        <translation>Konfiguration von LinuxCNC</translation>
-    </message>
-    <message>
         <source>From {}; to be saved as {}.</source>
         <translation>Aus {}; zu speichern als {}.</translation>
     </message>
@@ -3971,6 +3967,22 @@ Spindel {:.0f}°</translation>
     <message>
         <source>{}choose Without TCP.</source>
         <translation>{}„Ohne TCP“ wählen.</translation>
+    </message>
+    <message>
+        <source>Machine of LinuxCNC or FreeCAD</source>
+        <translation>Maschine von LinuxCNC oder FreeCAD</translation>
+    </message>
+    <message>
+        <source>it is no machine file of FreeCAD: give another one.</source>
+        <translation>Es ist keine Maschinendatei von FreeCAD: Eine andere angeben.</translation>
+    </message>
+    <message>
+        <source>it says nothing of axes: give a machine file of FreeCAD.</source>
+        <translation>Sie nennt keine Achsen: Eine Maschinendatei von FreeCAD angeben.</translation>
+    </message>
+    <message>
+        <source>set the machine to metric units in FreeCAD&apos;s machine editor.</source>
+        <translation>Die Maschine in FreeCADs Maschineneditor auf metrische Einheiten stellen.</translation>
     </message>
 </context>
 <context>

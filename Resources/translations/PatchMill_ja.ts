@@ -1679,10 +1679,6 @@
         <translation>新しい機械ファイルの名前:</translation>
     </message>
     <message>
-        <source>LinuxCNC configuration</source>
-        <translation>LinuxCNC の設定</translation>
-    </message>
-    <message>
         <source>From {}; to be saved as {}.</source>
         <translation>{} から。{} として保存されます。</translation>
     </message>
@@ -3971,6 +3967,22 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     <message>
         <source>{}choose Without TCP.</source>
         <translation>{}TCP なしを選んでください。</translation>
+    </message>
+    <message>
+        <source>Machine of LinuxCNC or FreeCAD</source>
+        <translation>LinuxCNC または FreeCAD の機械</translation>
+    </message>
+    <message>
+        <source>it is no machine file of FreeCAD: give another one.</source>
+        <translation>FreeCAD の機械ファイルではありません。別のファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>it says nothing of axes: give a machine file of FreeCAD.</source>
+        <translation>軸の記述がありません。FreeCAD の機械ファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>set the machine to metric units in FreeCAD&apos;s machine editor.</source>
+        <translation>FreeCAD の機械エディターで機械をメートル単位にしてください。</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import json
 import os
 import tempfile
 import unittest
@@ -104,6 +105,21 @@ class EditsMachines(unittest.TestCase):
         self.assertEqual(self.editor.choice.currentText(), "shop-mill")
         self.assertEqual(machines.load("shop-mill").model.acceleration, 750.0)
         self.assertTrue(machines.load("shop-mill").model.spindle_lock)
+
+    def test_a_machine_of_freecad_is_imported_by_clicks(self):
+        axis = {"limits": {"min": 0, "max": 400}, "max_velocity": 6000}
+        content = {"machine": {"name": "Shop", "axes": dict.fromkeys("XYZ", axis)}}
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "shop.fcm")
+            with open(name, "w", encoding="utf-8") as file:
+                json.dump(content, file)
+            driver.answer_file_dialog(name)
+            hands.click(self.editor.buttons["import"])
+            self.assertTrue(driver.wait(lambda: self.editor.key == "shop", 20), self.editor.message.text())
+        self.assertIn("Accelerations are not in the file", self.editor.where.text())
+        hands.click(self.editor.buttons["save"])
+        self.assertTrue(driver.wait(lambda: machines.own("shop"), 20), self.editor.message.text())
+        self.assertEqual(machines.load("shop").model.velocity, 100.0)
 
     def test_an_open_panel_lists_a_machine_that_is_saved_meanwhile(self):
         document, part = driver.new_document(driver.wavy_block())

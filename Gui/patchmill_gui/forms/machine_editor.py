@@ -9,10 +9,11 @@ import os
 
 import FreeCADGui
 from _patchmill import InputError
-from patchmill.machine import machine_table, machines
+from patchmill.machine import freecad_file, machine_table, machines
 from patchmill.machine.linuxcnc import machine_of
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.sentences import error_text
 from patchmill_gui.forms.widgets import Notice, translate
 
 PLACE = QtCore.Qt.UserRole
@@ -183,17 +184,19 @@ class MachineEditor(QtGui.QDialog):
     def _ask_import(self):
         name, _ = QtGui.QFileDialog.getOpenFileName(
             self,
-            translate("PatchMill", "LinuxCNC configuration"),
+            translate("PatchMill", "Machine of LinuxCNC or FreeCAD"),
             "",
-            translate("PatchMill", "LinuxCNC configuration") + " (*.ini)",
+            translate("PatchMill", "Machine of LinuxCNC or FreeCAD") + " (*.ini *.fcm)",
         )
         if name:
             self.import_from(name)
 
     def import_from(self, filename):
-        """Shows the machine of a LinuxCNC .ini file, with what that does not say; nothing is saved yet."""
+        """Shows the machine of a LinuxCNC .ini or FreeCAD .fcm file, with what that does not say; nothing is
+        saved yet."""
         try:
-            found = machine_of.read(filename)
+            read = freecad_file.read if filename.lower().endswith(".fcm") else machine_of.read
+            found = read(filename)
         except InputError as error:
             self._say(error)
             return
@@ -225,7 +228,7 @@ class MachineEditor(QtGui.QDialog):
         super().reject()
 
     def _say(self, error):
-        self.message.setText(str(error) if error else "")
+        self.message.setText(error_text(error) if error else "")
 
     def _choose(self, property):
         place = tuple(property.partition(": /")[2].split("/"))
