@@ -1,5 +1,6 @@
 """Finds the sentences by which errors tell users what is wrong and what to do, as InputError gets them in the
-sources of the core and of the package: made of a value and a remedy. {} stands for what is put into them.
+sources of the core and of the package, made of a value and a remedy; and remarks on what was decided for the
+user. {} stands for what is put into them.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -41,7 +42,7 @@ def sentences():
 
 
 def of_python(source):
-    """Of all InputErrors that are made in a Python source."""
+    """Of all InputErrors, and all that is appended to `remarks` or `said`, in a Python source."""
     tree = ast.parse(source)
     scopes = [node for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.Module))]
     for scope in scopes:
@@ -49,9 +50,16 @@ def of_python(source):
         if not isinstance(scope, ast.Module):
             known = {**_assigned(tree), **known}
         for call in _own(scope):
-            if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "InputError":
-                for argument in call.args[1:3]:
-                    yield from _texts(argument, known)
+            for argument in _said(call) if isinstance(call, ast.Call) else ():
+                yield from _texts(argument, known)
+
+
+def _said(call):
+    """The arguments of a call that are shown to the user."""
+    if getattr(call.func, "id", "") == "InputError":
+        return call.args[1:3]
+    words = ast.unparse(call.func).split(".")
+    return call.args[:1] if words[-2:] in (["remarks", "append"], ["said", "append"]) else []
 
 
 def _own(scope):

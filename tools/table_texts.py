@@ -1,6 +1,6 @@
-"""Writes the texts of the property tables, of dimples' states, of machine files and of errors for Qt's
-lupdate, which finds only what is written in a call (see tools/translations), and a list of those of
-errors, by which they are known again when they are said:
+"""Writes the texts of the property tables, of dimples' states, of machine files, of errors and of remarks for
+Qt's lupdate, which finds only what is written in a call (see tools/translations), and a list of those of
+errors and remarks, by which they are known again when they are said:
 
     tools/freecad tools/table_texts.py
 

@@ -3984,6 +3984,110 @@ Spindel {:.0f}°</translation>
         <source>set the machine to metric units in FreeCAD&apos;s machine editor.</source>
         <translation>Die Maschine in FreeCADs Maschineneditor auf metrische Einheiten stellen.</translation>
     </message>
+    <message>
+        <source>A patch of side {} is larger than the faces ({} x {} mm): patches are made smaller, {}.</source>
+        <translation>Ein Feld mit der Seite {} ist größer als die Flächen ({} x {} mm): Die Felder werden kleiner gemacht, {}.</translation>
+    </message>
+    <message>
+        <source>Accelerations are not in the file: {} mm/s² was taken. Give those of the machine, from which follows what a texture&apos;s timing can be.</source>
+        <translation>Beschleunigungen stehen nicht in der Datei: {} mm/s² wurde genommen. Die der Maschine angeben, aus denen folgt, welcher Takt einer Textur möglich ist.</translation>
+    </message>
+    <message>
+        <source>Dimples cover {} % of the faces; left out on them: {}.</source>
+        <translation>Mulden bedecken {} % der Flächen; auf ihnen ausgelassen: {}.</translation>
+    </message>
+    <message>
+        <source>M428 is taken to switch TCP on, and M429 off: look into their subroutines.</source>
+        <translation>Es wird angenommen, dass M428 TCP einschaltet und M429 es ausschaltet: Ihre Unterprogramme ansehen.</translation>
+    </message>
+    <message>
+        <source>No HAL file that was read joins an encoder to spindle.0.revs and spindle.0.index-enable: the spindle is taken for one that no move can follow.</source>
+        <translation>Keine der gelesenen HAL-Dateien verbindet einen Geber mit spindle.0.revs und spindle.0.index-enable: Es wird angenommen, dass keine Bewegung der Spindel folgen kann.</translation>
+    </message>
+    <message>
+        <source>No HAL file that was read joins an encoder to spindle.0.revs and spindle.0.index-enable: the spindle is taken for one that no move can follow. Not read: {}.</source>
+        <translation>Keine der gelesenen HAL-Dateien verbindet einen Geber mit spindle.0.revs und spindle.0.index-enable: Es wird angenommen, dass keine Bewegung der Spindel folgen kann. Nicht gelesen: {}.</translation>
+    </message>
+    <message>
+        <source>No M428 and M429 are there to switch TCP: it is taken to have none.</source>
+        <translation>Es gibt kein M428 und M429, die TCP schalten: Es wird angenommen, dass es keines hat.</translation>
+    </message>
+    <message>
+        <source>The control is taken to have no TCP: say so if it has.</source>
+        <translation>Es wird angenommen, dass die Steuerung kein TCP hat: Es angeben, wenn sie es hat.</translation>
+    </message>
+    <message>
+        <source>The faces look to all sides alike: they are projected on along ({}, {}, {}).</source>
+        <translation>Die Flächen blicken gleichermaßen nach allen Seiten: Es wird entlang ({}, {}, {}) auf sie projiziert.</translation>
+    </message>
+    <message>
+        <source>The lattice is laid in {} pieces.</source>
+        <translation>Das Gitter wird in {} Stücken gelegt.</translation>
+    </message>
+    <message>
+        <source>The safe height was raised to Z {} mm, above what is milled.</source>
+        <translation>Die Sicherheitshöhe wurde auf Z {} mm angehoben, über das, was gefräst wird.</translation>
+    </message>
+    <message>
+        <source>The start phase is 0°: mill a calibration patch to find it.</source>
+        <translation>Die Startphase ist 0°: Ein Kalibrierfeld fräsen, um sie zu finden.</translation>
+    </message>
+    <message>
+        <source>The velocities differ ({} mm/s): the smallest was taken.</source>
+        <translation>Die Geschwindigkeiten sind verschieden ({} mm/s): Die kleinste wurde genommen.</translation>
+    </message>
+    <message>
+        <source>Those of rotary axes are not either: {}°/s² was taken.</source>
+        <translation>Auch die der Drehachsen nicht: {}°/s² wurde genommen.</translation>
+    </message>
+    <message>
+        <source>Where the rotary axis {} lies trivkins does not say: it was left out.</source>
+        <translation>Wo die Drehachse {} liegt, sagt trivkins nicht: Sie wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Where the tool is clear of the table is not known: give the retract height.</source>
+        <translation>Wo das Werkzeug über dem Tisch frei ist, ist nicht bekannt: Die Rückzugshöhe angeben.</translation>
+    </message>
+    <message>
+        <source>Whether the control can follow the spindle is not in the file: it is taken not to.</source>
+        <translation>Ob die Steuerung der Spindel folgen kann, steht nicht in der Datei: Es wird angenommen, dass sie es nicht kann.</translation>
+    </message>
+    <message>
+        <source>Which of {} carries the other is not in the file: look at the axes.</source>
+        <translation>Welche der Achsen {} die andere trägt, steht nicht in der Datei: Die Achsen prüfen.</translation>
+    </message>
+    <message>
+        <source>[EMCMOT]SERVO_PERIOD is not given: 1 ms was taken, as LinuxCNC does.</source>
+        <translation>[EMCMOT]SERVO_PERIOD ist nicht angegeben: 1 ms wurde genommen, wie LinuxCNC es tut.</translation>
+    </message>
+    <message>
+        <source>an upright shank would cut the overhang: put a DCM modifier with posture on it.</source>
+        <translation>Ein aufrechter Schaft würde in den Überhang schneiden: Einen DCM-Modifikator mit Haltung darauf setzen.</translation>
+    </message>
+    <message>
+        <source>the lines are further apart than the tool is wide: ridges stay between them.</source>
+        <translation>Die Zeilen sind weiter voneinander entfernt, als das Werkzeug breit ist: Dazwischen bleiben Grate.</translation>
+    </message>
+    <message>
+        <source>{} differs ({} {}): the smallest was taken.</source>
+        <translation>{} ist verschieden ({} {}): Der kleinste Wert wurde genommen.</translation>
+    </message>
+    <message>
+        <source>{} dimples go round the closed face, {} mm apart.</source>
+        <translation>{} Mulden gehen um die geschlossene Fläche herum, {} mm voneinander.</translation>
+    </message>
+    <message>
+        <source>{} is set in no HAL file that was read: 0 was taken.</source>
+        <translation>{} ist in keiner gelesenen HAL-Datei gesetzt: 0 wurde genommen.</translation>
+    </message>
+    <message>
+        <source>{} lattice points are left out for others that are too near, where pieces or the two sides of a closed face meet.</source>
+        <translation>{} Gitterpunkte sind für andere ausgelassen, die zu nah sind, wo Stücke oder die beiden Seiten einer geschlossenen Fläche aufeinandertreffen.</translation>
+    </message>
+    <message>
+        <source>{} lines in cavities are left out: no way from above.</source>
+        <translation>{} Zeilen in Höhlungen sind ausgelassen: kein Weg von oben.</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

@@ -3984,6 +3984,110 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>set the machine to metric units in FreeCAD&apos;s machine editor.</source>
         <translation>FreeCAD の機械エディターで機械をメートル単位にしてください。</translation>
     </message>
+    <message>
+        <source>A patch of side {} is larger than the faces ({} x {} mm): patches are made smaller, {}.</source>
+        <translation>辺 {} のパッチは面 ({} x {} mm) より大きいため、パッチを小さくします: {}。</translation>
+    </message>
+    <message>
+        <source>Accelerations are not in the file: {} mm/s² was taken. Give those of the machine, from which follows what a texture&apos;s timing can be.</source>
+        <translation>加速度はファイルにありません。{} mm/s² としました。テクスチャのタイミングはこれで決まるので、機械の値を指定してください。</translation>
+    </message>
+    <message>
+        <source>Dimples cover {} % of the faces; left out on them: {}.</source>
+        <translation>ディンプルは面の {} % を覆います。除いたもの: {}。</translation>
+    </message>
+    <message>
+        <source>M428 is taken to switch TCP on, and M429 off: look into their subroutines.</source>
+        <translation>M428 で TCP が有効、M429 で無効になるものとしました。サブルーチンを確かめてください。</translation>
+    </message>
+    <message>
+        <source>No HAL file that was read joins an encoder to spindle.0.revs and spindle.0.index-enable: the spindle is taken for one that no move can follow.</source>
+        <translation>読んだ HAL ファイルに、エンコーダーを spindle.0.revs と spindle.0.index-enable につなぐものがありません。主軸に追従できないものとします。</translation>
+    </message>
+    <message>
+        <source>No HAL file that was read joins an encoder to spindle.0.revs and spindle.0.index-enable: the spindle is taken for one that no move can follow. Not read: {}.</source>
+        <translation>読んだ HAL ファイルに、エンコーダーを spindle.0.revs と spindle.0.index-enable につなぐものがありません。主軸に追従できないものとします。読んでいないもの: {}。</translation>
+    </message>
+    <message>
+        <source>No M428 and M429 are there to switch TCP: it is taken to have none.</source>
+        <translation>TCP を切り替える M428 と M429 がありません。TCP はないものとします。</translation>
+    </message>
+    <message>
+        <source>The control is taken to have no TCP: say so if it has.</source>
+        <translation>制御装置に TCP はないものとしました。ある場合は設定してください。</translation>
+    </message>
+    <message>
+        <source>The faces look to all sides alike: they are projected on along ({}, {}, {}).</source>
+        <translation>面があらゆる側を同じように向いています。({}, {}, {}) の方向に投影します。</translation>
+    </message>
+    <message>
+        <source>The lattice is laid in {} pieces.</source>
+        <translation>格子は {} 片に分けて置かれます。</translation>
+    </message>
+    <message>
+        <source>The safe height was raised to Z {} mm, above what is milled.</source>
+        <translation>安全高さを、削る部分より上の Z {} mm に上げました。</translation>
+    </message>
+    <message>
+        <source>The start phase is 0°: mill a calibration patch to find it.</source>
+        <translation>開始位相は 0° です。較正パッチを削って求めてください。</translation>
+    </message>
+    <message>
+        <source>The velocities differ ({} mm/s): the smallest was taken.</source>
+        <translation>速度が異なります ({} mm/s)。最小のものを採りました。</translation>
+    </message>
+    <message>
+        <source>Those of rotary axes are not either: {}°/s² was taken.</source>
+        <translation>回転軸の加速度もありません。{}°/s² としました。</translation>
+    </message>
+    <message>
+        <source>Where the rotary axis {} lies trivkins does not say: it was left out.</source>
+        <translation>回転軸 {} の位置は trivkins では分からないため、省きました。</translation>
+    </message>
+    <message>
+        <source>Where the tool is clear of the table is not known: give the retract height.</source>
+        <translation>工具がテーブルから離れる位置が分かりません。退避高さを指定してください。</translation>
+    </message>
+    <message>
+        <source>Whether the control can follow the spindle is not in the file: it is taken not to.</source>
+        <translation>制御装置が主軸に追従できるかはファイルにありません。できないものとします。</translation>
+    </message>
+    <message>
+        <source>Which of {} carries the other is not in the file: look at the axes.</source>
+        <translation>{} のどちらが他方を載せるかはファイルにありません。軸を確かめてください。</translation>
+    </message>
+    <message>
+        <source>[EMCMOT]SERVO_PERIOD is not given: 1 ms was taken, as LinuxCNC does.</source>
+        <translation>[EMCMOT]SERVO_PERIOD がありません。LinuxCNC と同じく 1 ms としました。</translation>
+    </message>
+    <message>
+        <source>an upright shank would cut the overhang: put a DCM modifier with posture on it.</source>
+        <translation>直立したシャンクがオーバーハングを削ります。姿勢つきの DCM 修飾を付けてください。</translation>
+    </message>
+    <message>
+        <source>the lines are further apart than the tool is wide: ridges stay between them.</source>
+        <translation>行の間隔が工具の幅より広く、間に山が残ります。</translation>
+    </message>
+    <message>
+        <source>{} differs ({} {}): the smallest was taken.</source>
+        <translation>{} が異なります ({} {})。最小のものを採りました。</translation>
+    </message>
+    <message>
+        <source>{} dimples go round the closed face, {} mm apart.</source>
+        <translation>閉じた面を {} 個のディンプルが {} mm おきに一周します。</translation>
+    </message>
+    <message>
+        <source>{} is set in no HAL file that was read: 0 was taken.</source>
+        <translation>{} は読んだ HAL ファイルで設定されていません。0 としました。</translation>
+    </message>
+    <message>
+        <source>{} lattice points are left out for others that are too near, where pieces or the two sides of a closed face meet.</source>
+        <translation>片どうし、または閉じた面の両側が出会う所で、近すぎる格子点 {} 個を除きました。</translation>
+    </message>
+    <message>
+        <source>{} lines in cavities are left out: no way from above.</source>
+        <translation>くぼみの中の {} 行を除きました。上から届きません。</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

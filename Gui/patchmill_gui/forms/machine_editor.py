@@ -13,6 +13,7 @@ from patchmill.machine import freecad_file, machine_table, machines
 from patchmill.machine.linuxcnc import machine_of
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields.known_sentences import translated
 from patchmill_gui.fields.sentences import error_text
 from patchmill_gui.forms.widgets import Notice, translate
 
@@ -205,7 +206,7 @@ class MachineEditor(QtGui.QDialog):
         begin = translate("PatchMill", "From {}; to be saved as {}.").format(
             os.path.basename(filename), self.key
         )
-        self.where.setText("\n".join([begin, *found.remarks]))
+        self.where.setText("\n".join([begin, *map(translated, found.remarks)]))
         self.buttons["remove"].setEnabled(False)
         self._fill()
         self._say(None)

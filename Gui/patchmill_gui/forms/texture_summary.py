@@ -8,6 +8,7 @@ import html
 import _patchmill as core
 from patchmill.machine.machining_time import in_words
 
+from patchmill_gui.fields.known_sentences import translated
 from patchmill_gui.fields.sentences import in_user_units
 from patchmill_gui.forms.widgets import translate
 
@@ -46,7 +47,8 @@ def placed_summary(placed):
     head = translate("PatchMill", "{} dimples in {} patches").format(
         grouped(counts["cut"]), grouped(len(placed.free or placed.division))
     )
-    lines = ["<b>%s</b>" % head, _counts(counts), *map(html.escape, placed.remarks)]
+    remarks = [html.escape(in_user_units(translated(remark))) for remark in placed.remarks]
+    lines = ["<b>%s</b>" % head, _counts(counts), *remarks]
     return "<br>".join(lines)
 
 

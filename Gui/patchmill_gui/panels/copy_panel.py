@@ -9,6 +9,7 @@ from patchmill.machine.machining_time import in_words
 from patchmill.operations import copy_milling
 
 from patchmill_gui.fields import unit_text
+from patchmill_gui.fields.known_sentences import translated
 from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import translate
 from patchmill_gui.panels.operation_base import OperationPage, OperationPanel, OperationView, offer_commands
@@ -78,7 +79,7 @@ def _summary(made):
     text = translate("PatchMill", "{} moves, {} of milling, ridges of {} on a flat").format(
         grouped(len(made.path)), in_words(made.seconds), unit_text.text_of(ridge, "mm")
     )
-    return "<br>".join([text, *(translate("PatchMill", remark) for remark in copy_milling.remarks(made))])
+    return "<br>".join([text, *map(translated, copy_milling.remarks(made))])
 
 
 class CopyView(OperationView):

@@ -73,15 +73,16 @@ class _Reader:
             "controller": {"dialect": self._dialect(), "tcp": False},
             "lock_origin": "at speed",
         }
-        self.remarks += [
-            "Accelerations are not in the file: %g mm/s² was taken%s. Give those of the machine: what a"
-            " texture's timing can be follows from them."
-            % (ACCELERATION, " and %g°/s²" % ACCELERATION if rotary else ""),
-            "Whether the control can follow the spindle is not in the file: it is taken not to.",
-        ]
+        self.remarks.append(
+            "Accelerations are not in the file: %g mm/s² was taken. Give those of the machine, from which"
+            " follows what a texture's timing can be." % ACCELERATION
+        )
         if rotary:
+            self.remarks.append("Those of rotary axes are not either: %g°/s² was taken." % ACCELERATION)
             self.remarks.append("Where the tool is clear of the table is not known: give the retract height.")
             self.remarks.append("The control is taken to have no TCP: say so if it has.")
+        told = "Whether the control can follow the spindle is not in the file: it is taken not to."
+        self.remarks.append(told)
         self.remarks.append("The start phase is 0°: mill a calibration patch to find it.")
         return data
 
