@@ -255,6 +255,21 @@ class Fastest(unittest.TestCase):
         choice._of_locked(None, None, choices[:1], [], None)
         self.assertEqual(asked, [0.93])
 
+    def test_a_higher_speed_that_is_good_enough_is_taken(self):
+        """Though the first is good on more; not one that is good on too little."""
+        operation = one_click.texture(quality_parts.plate(20.0), "Face6", "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        given = operation.Proxy.texture_input(operation)
+        before, choice._seconds = choice._seconds, lambda asked: 1.0 / asked.spindle.speed
+        self.addCleanup(setattr, choice, "_seconds", before)
+        first = choice.Choice({"strategy": "Spindle-locked"}, Assessment(100, 1.0, {}, patches(1.0)))
+        for part, expected in ((0.96, [1500, 1200, 1000]), (0.94, [1000])):
+            made = choice._by_time(
+                lambda *_, **__: Assessment(100, part, {}, patches(1.0)), given, [first], [1200, 1500], bool
+            )
+            speeds = [one.fields.get("spindle", given.spindle).speed for one in made]
+            self.assertEqual([round(60.0 * speed) for speed in speeds], expected)
+
 
 if __name__ == "__main__":
     outcome = unittest.main(exit=False).result

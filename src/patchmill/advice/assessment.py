@@ -3,10 +3,11 @@
 A texture is milled patch by patch, so that one patch simulated alone says what each of its kind is worth. The
 patches that are looked at stand for equal parts of the dimples, from the flattest to the steepest place:
 quality depends on the tilt between tool axis and face more than on anything else. The flattest dimples have a
-patch of their own, for a small flat place spoils a texture that is good elsewhere. Patches lie away from the
-borders of the faces, where there are such places: along a border the tip leaves marks that no neighbour takes
-away. So besides small textures are simulated as a whole, and of larger ones squares spread over the whole, as
-many as one in so many lies along a border.
+patch of their own, for a small flat place spoils a texture that is good elsewhere; if that is bad and no
+other, the steepest of them are looked at as well, for near the tip quality falls within a few degrees.
+Patches lie away from the borders of the faces, where there are such places: along a border the tip leaves
+marks that no neighbour takes away. So besides small textures are simulated as a whole, and of larger ones
+squares spread over the whole, as many as one in so many lies along a border.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -36,6 +37,7 @@ NOT_ASKED_FOR = ("off the face", "off the net", "masked", "near an edge")  # sta
 TURNED_AWAY = ("undercut", "too steep")  # of which a projected lattice has few points for much of the faces
 STEEP = math.radians(50.0)  # to the direction of projection, above which a relief over the plane is coarse
 FLATTEST = 0.05  # of the dimples: the flattest ones, looked at by themselves
+STEEPER = (0.5, 0.15)  # of these, the steepest ones, looked at where the flattest are bad and no others
 ALIKE = math.radians(0.5)  # tilts that differ by less are looked at once
 
 
@@ -78,6 +80,14 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
         if k == first and made[k].quality < GOOD:
             break
     found.patches = [made[k] for k in sorted(made)]
+    for share in STEEPER if not alike and _flattest_is_bad(found.patches) else ():
+        number = _middle(parts[0][int((1.0 - share) * len(parts[0])) :], neighbours)
+        steeper = _patch(simulate, given, placed, number, float(np.degrees(tilts[number])))
+        if steeper.quality >= GOOD:
+            steeper.fraction = share * found.patches[0].fraction
+            found.patches[0].fraction -= steeper.fraction
+            found.patches.insert(1, steeper)
+            break
     rates = [patch.seconds_per_dimple for patch in found.patches if patch.seconds_per_dimple]
     found.seconds = float(np.mean(rates)) * found.dimples if rates else 0.0
     if whole and found.remains_good:
@@ -197,6 +207,12 @@ def _parts(order, tilts, count):
     flattest = int(FLATTEST * len(order))
     parts = [order[:flattest], *np.array_split(order[flattest:], count)]
     return [part for part in parts if len(part)]
+
+
+def _flattest_is_bad(patches):
+    """Whether the first of PatchQuality in order of tilt is bad, and no other."""
+    good = [patch.quality >= GOOD for patch in patches]
+    return len(good) > 1 and not good[0] and all(good[1:])
 
 
 def _neighbours(placed, cut):

@@ -213,9 +213,9 @@ def _fastest(assess, given, choices, rpms, progress):
 
 
 def _by_time(assess, given, choices, rpms, progress):
-    """Yields Choices at their own spindle speed, and at `rpms` where they are as good, the one of least time
-    over the whole first; no more once `progress` returned False. A higher speed takes longer where it makes
-    single steps too fast."""
+    """Yields Choices at their own spindle speed, and at `rpms` where they are as good, or good enough, the
+    one of least time over the whole first; no more once `progress` returned False. A higher speed takes
+    longer where it makes single steps too fast."""
     timed: list[tuple] = []
     for choice in choices:
         few = choice.assessment.dimples > LARGE or choice.fields["strategy"] in POLYGONS
@@ -234,7 +234,7 @@ def _by_time(assess, given, choices, rpms, progress):
         if rpm >= too_fast.get(id(choice), math.inf):
             continue
         found = assess(replace(given, **fields), 3, middle_first=True)
-        if found.good_fraction >= choice.assessment.good_fraction - 1e-9:
+        if found.good_fraction >= min(choice.assessment.good_fraction, GOOD_FRACTION) - 1e-9:
             yield Choice(fields, found)
         else:
             too_fast[id(choice)] = rpm
