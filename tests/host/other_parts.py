@@ -137,16 +137,22 @@ def _middle(face):
 
 
 def of_file(path):
-    """The largest free-form or bent face of a file."""
+    """The largest free-form or bent face of a file, and the solid that has it: of a file of several solids
+    FreeCAD makes an object of each."""
     from test_real_parts import interesting_face, read
 
     def make():
         shape = read(path)
         face = interesting_face(shape)
-        number = next(k for k, f in enumerate(shape.Faces) if f.isSame(face))
-        return shape, "Face%d" % (number + 1)
+        solid = next((one for one in shape.Solids if _number(one, face)), shape)
+        return solid, "Face%d" % _number(solid, face)
 
     return make
+
+
+def _number(shape, face):
+    """Of a face of a shape, from 1; 0 where it has none such."""
+    return next((k + 1 for k, f in enumerate(shape.Faces) if f.isSame(face)), 0)
 
 
 PARTS = {
