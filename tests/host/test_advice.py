@@ -21,7 +21,7 @@ import other_parts  # noqa: E402
 import patchmill  # noqa: E402
 import quality_parts  # noqa: E402
 from patchmill.advice import cells, choice, orientation, remedies, room, verdict  # noqa: E402
-from patchmill.advice.found import Assessment, PatchQuality  # noqa: E402
+from patchmill.advice.found import Assessment, PatchQuality, is_enough  # noqa: E402
 
 HOLDS, LOST = types.SimpleNamespace(holding="holds"), types.SimpleNamespace(holding="lost")
 
@@ -227,9 +227,9 @@ class ClosedFaces(unittest.TestCase):
     def test_what_leaves_nothing_to_be_wished_for(self):
         """94 % of a dome is not, 47 of the 49 % that are reached of a shaft are."""
         dome, shaft = (Assessment(100, part, {}, patches(1.0)) for part in (0.94, 0.47))
-        self.assertFalse(remedies._is_enough(dome, 1.0))
-        self.assertTrue(remedies._is_enough(shaft, 0.49))
-        self.assertFalse(remedies._is_enough(replace(shaft, patches=patches(1.0, 0.5)), 0.49))
+        self.assertFalse(is_enough(dome, 1.0))
+        self.assertTrue(is_enough(shaft, 0.49))
+        self.assertFalse(is_enough(replace(shaft, patches=patches(1.0, 0.5)), 0.49))
 
     def test_inclinations_on_both_sides_of_the_best_are_tried(self):
         leanings = [(0.5, 40.0, "a"), (0.4, 50.0, "b"), (0.39, 20.0, "c"), (0.3, 60.0, "d"), (0.2, 10.0, "e")]

@@ -253,7 +253,11 @@ def remedy_text(remedy):
         else translate("PatchMill", "Leave out what is steeper than {:.0f}°").format(steepest),
         "values": translate("PatchMill", "Take the values that suit"),
         "sides": _sides_text(remedy),
+        "ball": translate("PatchMill", "Take a smaller ball"),
     }[remedy.kind]
+    if "tool" in fields:
+        across = unit_text.text_of(2.0 * fields["tool"].radius, "mm")
+        what = translate("PatchMill", "{}, tool diameter {}").format(what, across)
     if "spacing" in fields:
         spacing = unit_text.text_of(fields["spacing"], "mm")
         what = translate("PatchMill", "{}, spacing {}").format(what, spacing)

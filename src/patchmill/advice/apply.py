@@ -10,10 +10,10 @@ from _patchmill import InputError
 from FreeCAD import Placement, Rotation, Vector
 
 from patchmill.advice import assessment, choice, companions
-from patchmill.freecad import host
+from patchmill.freecad import host, tool_controller
 from patchmill.properties.property_table import property_of
 
-CONTROLLER = ("feed", "spindle")  # fields that are the tool controller's
+CONTROLLER = ("feed", "spindle", "tool")  # fields that are the tool controller's
 
 
 def others_of(obj):
@@ -39,10 +39,13 @@ def set_fields(obj, fields):
 
 
 def _set_controller(controller, name, value):
-    """`feed` [mm/s], across and down, or `spindle`, a _patchmill.Spindle."""
+    """`feed` [mm/s], across and down, `spindle`, a _patchmill.Spindle, or `tool`, a ball that is another
+    _patchmill.Tool."""
     if name == "feed":
         for own in ("HorizFeed", "VertFeed"):
             _set(controller, own, value)
+    elif name == "tool":
+        tool_controller.set_ball(controller, 2.0 * value.radius, value.cutting_length)
     else:
         _set(controller, "SpindleSpeed", float(round(60.0 * value.speed)))
 

@@ -9,6 +9,7 @@ from typing import Optional
 GOOD = 0.95  # of quality: the texture as planned, to the eye and to a profilometer
 SMALL = 1500  # dimples; so many are simulated as a whole, of more a sample
 GOOD_FRACTION = 0.95  # of the faces' dimples
+NEARLY = 0.93  # of what one setup reaches: leaning otherwise hardly gains
 
 
 @dataclass
@@ -80,3 +81,22 @@ class Assessment:
     def problem(self):
         """Why there is a patch that cannot be made, or ''."""
         return next((patch.problem for patch in self.patches if patch.problem), "")
+
+
+def largest_good_run(patches, ends_anywhere):
+    """(first, end) of the slice of PatchQuality, in order of tilt, that are all good and stand for most; None
+    where none is good. It reaches to the steepest if not `ends_anywhere`."""
+    count = len(patches)
+    runs = [
+        (first, end)
+        for first in range(count)
+        for end in (range(first + 1, count + 1) if ends_anywhere else (count,))
+        if all(patch.quality >= GOOD for patch in patches[first:end])
+    ]
+    return max(runs, key=lambda run: sum(p.fraction for p in patches[slice(*run)]), default=None)
+
+
+def is_enough(found, reached):
+    """Whether an Assessment leaves nothing to be wished for that one setup reaches."""
+    part = reached < GOOD_FRACTION  # of faces that are reached whole nothing need be left
+    return found.good or (part and found.remains_good and found.good_fraction >= NEARLY * reached)

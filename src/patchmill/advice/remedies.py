@@ -10,7 +10,7 @@ from _patchmill import InputError
 
 from patchmill.advice import orientation, room, sides
 from patchmill.advice.choice import POLYGONS
-from patchmill.advice.found import GOOD, GOOD_FRACTION, Assessment
+from patchmill.advice.found import GOOD_FRACTION, Assessment, is_enough, largest_good_run
 from patchmill.machine import machines
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import plan_texture
@@ -21,16 +21,16 @@ FINER = (0.6, 0.4)  # of the spacing
 WORTH_TRYING = 0.75  # of what one setup reaches of the faces, at good tilts by their normals
 UPRIGHT = (0.0, 0.0, 1.0)
 LAID = {"mapping": "On surface", "steepest_slope": orientation.LAID_STEEP}
-NEARLY = 0.93  # of what one setup reaches: leaning otherwise hardly gains
 MOST = 0.75  # of what the best makes good: what leaves only good dimples is better even if that is less
 ENOUGH = 2  # good remedies, after which dearer ones are not tried
 
 
 @dataclass
 class Remedy:
-    """`kind`: values, incline, lean, along, finer, lay, leave out, sides. `fields`: of a TextureInput; `axis`
-    and `angle` [degrees]: how the part is turned about its middle, or the tool the other way; `others`:
-    sides.Side of the textures that share the faces; `walled`: a wider margin keeps the tool off walls."""
+    """`kind`: values, incline, lean, along, finer, lay, leave out, sides, ball (a smaller one, with values
+    that suit). `fields`: of a TextureInput; `axis` and `angle` [degrees]: how the part is turned about its
+    middle, or the tool the other way; `others`: sides.Side of the textures that share the faces; `walled`: a
+    wider margin, and rows in the direction that does, keep the tool off walls."""
 
     kind: str
     fields: dict
@@ -60,20 +60,35 @@ class Finder:
         normals, areas = orientation.face_normals(given)
         if not len(normals):
             return []
-        now = self._assessed(given)
-        reached = orientation.reached_fraction(normals, areas)
+        now, reached = self._assessed(given), orientation.reached_fraction(normals, areas)
+        found = self._found(given, (normals, areas, reached), now, progress)
+        if found is None or any(remedy.assessment.good for remedy in found):
+            return found and self._in_order(given, found)
+        for fields in room.smaller_balls(given, self.walls) if self.free else ():
+            asked = replace(given, **fields)
+            more = self._found(asked, (normals, areas, reached), now, progress, another_ball=True)
+            if more is None:
+                return None
+            found += [replace(remedy, fields={**fields, **remedy.fields}) for remedy in more]
+            if any(remedy.assessment.good for remedy in more):
+                break
+        return self._in_order(given, found)
+
+    def _found(self, given, faces, now, progress, another_ball=False):
+        """Remedies for a TextureInput that help beside the Assessment `now`; None if `progress` returned
+        False. `faces`: normals, areas, and what one setup reaches; `another_ball`: the user's has another."""
+        normals, areas, reached = faces
         first, last = self._tries(given, normals, areas, WORTH_TRYING * reached)
+        if another_ball:
+            first.insert(0, lambda: self._chosen_for(given, "ball", {}))
         found: list[Remedy] = []
         slow = self._slow_strategies(given)
-
-        def is_slow(remedy):
-            return remedy.fields.get("strategy", given.strategy) in slow
-
         for number, attempt in enumerate(first + last):
             if progress and not progress(number / len(first + last)):
                 return None
             enough = ENOUGH if number < len(first) else 1
-            if sum(_is_enough(one.assessment, reached) and not is_slow(one) for one in found) >= enough:
+            good = (one for one in found if is_enough(one.assessment, reached))
+            if sum(one.fields.get("strategy", given.strategy) not in slow for one in good) >= enough:
                 break
             try:
                 remedy = attempt()
@@ -81,14 +96,18 @@ class Finder:
                 continue
             if remedy is not None and _is_better(remedy.assessment, now):
                 found.append(remedy)
-        if reached < GOOD_FRACTION:
-            found.extend(self._by_sides(given))
+        return found + (self._by_sides(given) if reached < GOOD_FRACTION else [])
+
+    def _in_order(self, given, found):
+        """Remedies, the best first."""
+        slow = self._slow_strategies(given)
         most = max((remedy.assessment.good_fraction for remedy in found), default=0.0)
 
         def rank(remedy):
             made = remedy.assessment
             leaves_good = made.remains_good and made.good_fraction >= MOST * most
-            return not made.good, is_slow(remedy), not leaves_good, -round(made.good_fraction, 2)
+            is_slow = remedy.fields.get("strategy", given.strategy) in slow
+            return not made.good, is_slow, not leaves_good, -round(made.good_fraction, 2)
 
         return sorted(found, key=rank)
 
@@ -185,13 +204,13 @@ class Finder:
         if not room.touches(given, model):
             return remedy
         self.walls = True
-        for margin in room.margins_beside_walls(given):
-            asked = replace(given, margin=margin)
+        for beside in room.beside_walls(given):
+            asked = replace(given, **beside)
             if not room.touches(asked, model):
                 made = self.assess(asked, 3, whole=True)
                 part = made.dimples / max(1, remedy.assessment.dimples)
                 made.milled_fraction = min(made.milled_fraction, part * remedy.assessment.milled_fraction)
-                fields = {**remedy.fields, "margin": margin}
+                fields = {**remedy.fields, **beside}
                 return replace(remedy, fields=fields, assessment=made, walled=True)
         return None
 
@@ -244,7 +263,7 @@ class Finder:
         part whose patches are all good; None where there is none, or nothing else."""
         patches = self.assess(given, 5).patches
         upright = tool_posture.is_vertical(given) and not given.auto_direction  # then slopes are tilts
-        run = _largest_good_run(patches, ends_anywhere=upright)
+        run = largest_good_run(patches, ends_anywhere=upright)
         if run is None or run == (0, len(patches)):
             return None
         first, end = run
@@ -256,25 +275,6 @@ class Finder:
         asked = replace(given, **fields)
         plan_texture(asked)
         return Remedy("leave out", fields, self.assess(asked, 3, whole=True))
-
-
-def _largest_good_run(patches, ends_anywhere):
-    """(first, end) of the slice of PatchQuality, in order of tilt, that are all good and stand for most; None
-    where none is good. It reaches to the steepest if not `ends_anywhere`."""
-    count = len(patches)
-    runs = [
-        (first, end)
-        for first in range(count)
-        for end in (range(first + 1, count + 1) if ends_anywhere else (count,))
-        if all(patch.quality >= GOOD for patch in patches[first:end])
-    ]
-    return max(runs, key=lambda run: sum(p.fraction for p in patches[slice(*run)]), default=None)
-
-
-def _is_enough(found, reached):
-    """Whether an Assessment leaves nothing to be wished for that one setup reaches."""
-    part = reached < GOOD_FRACTION  # of faces that are reached whole nothing need be left
-    return found.good or (part and found.remains_good and found.good_fraction >= NEARLY * reached)
 
 
 def _is_better(found, now):

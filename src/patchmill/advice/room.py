@@ -8,9 +8,12 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import math
 
+import _patchmill as core
+
 from patchmill.advice import orientation
 from patchmill.advice.found import GOOD_FRACTION
 from patchmill.collision.clearance_check import VIOLATED, CheckInput, run_check
+from patchmill.textures.order import rows
 from patchmill.textures.plan import plan_texture
 
 ACROSS = 15  # places along each parameter of a face that are looked at
@@ -19,7 +22,12 @@ ABREAST = 5.0  # dimples side by side: a rim with 3 has quality 0.56, with 6 it 
 # What a new operation allows [mm]: so deep below the model, so near to shank and holder
 GOUGE_TOLERANCE, CLEARANCE = 0.01, 0.1
 # Radii of the ball: margins that are tried where the tool runs into walls beside the faces
-WALL_MARGINS = (1.15, 2.3, 3.0, 3.75, 4.5)
+WALL_MARGINS = (1.15, 1.4, 1.7, 2.0, 2.3, 2.65, 3.0, 3.35, 3.75, 4.1, 4.5)
+# Diameters [mm] of ball end mills that catalogues have
+BALLS = (0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0)
+FITS = 0.9  # of the radius with which faces bend in: a ball that touches them at one place only
+SMALLER = (0.5, 0.25)  # of the ball, where walls are in the way
+EDGES = 20.0  # radii of a ball, up to which it has edges at most; above is the shank
 
 
 def least_radius(given):
@@ -42,6 +50,29 @@ def ball_too_large(given):
     """least_radius, if the ball is too large for it; else None."""
     radius = least_radius(given)
     return radius if radius is not None and radius < given.tool.radius else None
+
+
+def smaller_balls(given, walls):
+    """Fields of a TextureInput, a dict each, with a smaller ball that is tried where its own does not fit the
+    faces' hollows, or, with `walls`, the room beside them; the largest first. The spacing keeps its ratio to
+    the ball, and with it the tilts that do."""
+    radius, own = ball_too_large(given), given.tool.radius
+    limits = [part * own for part in SMALLER] if walls and radius is None else []
+    if radius is not None:
+        limits = [FITS * radius, SMALLER[0] * radius]
+    fitting = [max((d for d in BALLS if 0.5 * d <= limit + 1e-9), default=0.0) for limit in limits]
+    return [_with_ball(given, 0.5 * d) for d in sorted(set(fitting), reverse=True) if d > 0.0]
+
+
+def _with_ball(given, radius):
+    tool = given.tool
+    holder = [section[1:] for section in tool.sections if section[0] == "holder"]
+    shaft = {name: getattr(tool, name) for name in ("shank_radius", "stick_out")}
+    shaft["cutting_length"] = min(tool.cutting_length, EDGES * radius)
+    made = {"tool": core.Tool(radius, tool.flutes, holder=holder, **shaft)}
+    if given.spacing:
+        made["spacing"] = round(given.spacing * radius / tool.radius, 3)
+    return made
 
 
 def width(face):
@@ -78,6 +109,10 @@ def touches(given, model):
     return run_check(asked).outcome == VIOLATED
 
 
-def margins_beside_walls(given):
-    """Margins [mm] that are wider than a TextureInput's, one of which may keep the tool off walls."""
-    return [round(m * given.tool.radius, 4) for m in WALL_MARGINS if m * given.tool.radius > given.margin]
+def beside_walls(given):
+    """Fields of a TextureInput, a dict each, one of which may keep the tool off walls: wider margins [mm],
+    the least first, each with rows as they are and across: they run in and out at their ends."""
+    margins = [round(m * given.tool.radius, 4) for m in WALL_MARGINS if m * given.tool.radius > given.margin]
+    across = {rows.ALONG_X: rows.ALONG_Y, rows.ALONG_Y: rows.ALONG_X}.get(given.row_direction)
+    other = [{"row_direction": across}] if across and given.order == rows.ROWS else []
+    return [{"margin": margin, **turned} for margin in margins for turned in ({}, *other)]

@@ -86,6 +86,17 @@ def above(frustum, height):
     return start, high, r_low + (start - low) / (high - low) * (r_high - r_low), r_high
 
 
+def set_ball(controller, diameter_mm, edges_mm):
+    """Gives the ball end mill of a tool controller another diameter, and the height to which it has edges."""
+    bit, named = controller.Tool, "Ball end mill %g mm"
+    ours = controller.Label == named % float(bit.Diameter)
+    bit.Diameter = diameter_mm
+    if hasattr(bit, "CuttingEdgeHeight"):
+        bit.CuttingEdgeHeight = edges_mm
+    if ours:
+        controller.Label = named % diameter_mm
+
+
 def is_known(bit):
     """Whether the shape of a tool bit's cutting end is known: of a cone without a tip it is not."""
     kind = host.tool_kind(bit)
