@@ -88,12 +88,16 @@ def active_document(document=None):
 
 
 def _list_own_posts():
-    """FreeCAD lists and loads the post-processors of certain folders, and knows no setting that adds one:
-    PatchMill's, beside this package, becomes one of them; in a clone, the folder `posts` there."""
+    """FreeCAD lists and loads the posts of certain folders: PatchMill's, beside this package, becomes one of
+    them; in a clone, the folder `posts` there. Before 26.3 nothing is made for adding one."""
     folder = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
     folders = [f for f in (folder, os.path.join(folder, "posts")) if os.path.isdir(f)]
-    others = PathPreferences.searchPathsPost
-    PathPreferences.searchPathsPost = lambda: others() + folders
+    if hasattr(PathPreferences, "addAddonPostPath"):
+        for each in folders:
+            PathPreferences.addAddonPostPath(each)
+    else:
+        others = PathPreferences.searchPathsPost
+        PathPreferences.searchPathsPost = lambda: others() + folders
 
 
 _list_own_posts()
@@ -113,17 +117,6 @@ def is_active(obj):
 def coolant_of(obj):
     """The coolant of an operation, or of the one under dressups: Flood, Mist or None."""
     return PathUtil.opProperty(obj, "CoolantMode") or "None"
-
-
-def stock_corners(objects):
-    """Lowest and highest corner [mm] of the stock of the job that one of a post's objects belongs to; None if
-    there is none."""
-    for obj in objects:
-        job = PathUtils.findParentJob(obj) if hasattr(obj, "Proxy") else None
-        box = getattr(getattr(getattr(job, "Stock", None), "Shape", None), "BoundBox", None)
-        if box is not None and box.isValid():
-            return (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
-    return None
 
 
 def tool_controllers(job):
@@ -285,8 +278,13 @@ def post_objects(job, post_name):
         return PathPost.CommandPathPost().buildPostList(job)
     from Path.Post.Processor import PostProcessorFactory
 
-    files = PostProcessorFactory.get_post_processor(job, post_name)._buildPostList()
+    files = files_of_post(PostProcessorFactory.get_post_processor(job, post_name))
     return [[obj for obj in objects if is_active(obj)] for _, objects in files]
+
+
+def files_of_post(post):
+    """(name, document objects) for each file of a post-processor of FreeCAD 1.0 or later; 26.3 wraps them."""
+    return [(name, [getattr(o, "source", None) or o for o in some]) for name, some in post._buildPostList()]
 
 
 def post_parts(job, post_name, arguments):
@@ -297,4 +295,6 @@ def post_parts(job, post_name, arguments):
 
     job.PostProcessorArgs = arguments
     post = PostProcessorFactory.get_post_processor(job, post_name)
-    return [text or "" for _, text in post.export()]  # some posts return None
+    # from 26.3 on a job may name a machine of FreeCAD's own: its posts then are asked in another way
+    export = post.export2 if getattr(job, "Machine", "") else post.export
+    return [text or "" for _, text in export()]  # some posts return None

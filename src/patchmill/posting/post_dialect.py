@@ -77,7 +77,7 @@ class Dialect:
                 header=header,
                 preamble=(options.preamble or "").replace("\\n", "\n"),
                 postamble=(options.postamble or "").replace("\\n", "\n"),
-                stock=host.stock_corners(objects),
+                stock=program_header.stock_corners(objects),
                 own=[_is_own(o) for o in objects],
                 **_machine_words(machine, self.dialect),
             )
@@ -133,7 +133,10 @@ class Dialect:
 
             def export(self):
                 arguments = self._job.PostProcessorArgs
-                return [(name, dialect.compared(objs, arguments)) for name, objs in self._buildPostList()]
+                return [(name, dialect.compared(objs, arguments)) for name, objs in host.files_of_post(self)]
+
+            def export2(self):  # FreeCAD 26.3, for a job with a machine of its own; its own way loses words
+                return self.export()
 
         return Processor
 

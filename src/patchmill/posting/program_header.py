@@ -4,6 +4,7 @@ machine, strategy, turns per dimple, time, where the phase is counted from.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+from patchmill.freecad import host
 from patchmill.freecad.kinds import COPY_MILLING, DCM, kind_of
 from patchmill.machine import machines, machining_time
 
@@ -23,6 +24,17 @@ def machine_of(objects):
             return op.Proxy.planned.machine
     names = [getattr(o, "Machine", "") for o in objects if hasattr(o, "Proxy")]
     return next((machines.load(name) for name in names if isinstance(name, str) and name), None)
+
+
+def stock_corners(objects):
+    """Lowest and highest corner [mm] of the stock of the job that one of a post's objects belongs to; None if
+    there is none."""
+    for obj in objects:
+        job = host.PathUtils.findParentJob(obj) if hasattr(obj, "Proxy") else None
+        box = getattr(getattr(getattr(job, "Stock", None), "Shape", None), "BoundBox", None)
+        if box is not None and box.isValid():
+            return (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
+    return None
 
 
 def lines(objects, controller):
