@@ -178,6 +178,8 @@ def _why(message, folder):
             return "the compiled core is built %s, and this FreeCAD has Python %s" % (built, python)
         return "the compiled core for Python %s is not installed" % python
     library = re.match(r"(\S+): cannot open shared object file", message)
+    if library and "-patchmill-" in library.group(1):  # a wheel's own: packaging/wheel/pack.py
+        return "the compiled core is not whole: its %s is missing" % library.group(1)
     if library and library.group(1).startswith("libTK"):
         what = "another OpenCASCADE than is installed"
         return "the compiled core needs %s: %s is missing" % (what, library.group(1))
