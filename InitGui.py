@@ -1,7 +1,7 @@
 # PatchMill's workbench. Runs when FreeCAD starts with a GUI; __file__ is undefined here.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 class PatchMillWorkbench(Workbench):  # noqa: F821  FreeCAD gives it
-    """Regular dimple textures with a ball end mill. Without its compiled core: the panel that installs it."""
+    """Regular dimple textures with a ball end mill. Without its compiled core: what installs it."""
 
     MenuText = "PatchMill"
     ToolTip = "Regular dimple textures with a ball end mill"
@@ -18,9 +18,9 @@ class PatchMillWorkbench(Workbench):  # noqa: F821  FreeCAD gives it
         from patchmill.install import core_loader
 
         if core_loader.why_absent():
-            from patchmill_gui.app import core_panel
+            from patchmill_gui.app import core_window
 
-            commands = [core_panel.start()]
+            commands = [core_window.start()]
             self.appendToolbar("PatchMill", commands)
             self.appendMenu("&PatchMill", commands)
             return
@@ -34,10 +34,10 @@ class PatchMillWorkbench(Workbench):  # noqa: F821  FreeCAD gives it
         from patchmill.install import core_loader
 
         if core_loader.why_absent():
-            from patchmill_gui.app import core_panel
+            from patchmill_gui.app import core_window
             from PySide import QtCore
 
-            QtCore.QTimer.singleShot(0, core_panel.show_if_idle)
+            QtCore.QTimer.singleShot(0, core_window.show_if_idle)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

@@ -1,4 +1,4 @@
-"""The workbench without its compiled core: one panel that says what is missing and installs it; documents
+"""The workbench without its compiled core: one window that says what is missing and installs it; documents
 open.
 Runs on a copy of the module without a core (CMakeLists.txt gives PATCHMILL_MODULE).
 
@@ -42,9 +42,9 @@ def name_of_wheel(version=None, python=None):
     return "patchmill_core-%s-%s-%s-linux_%s.whl" % (version, python, python, platform.machine())
 
 
-def open_panel():
-    """The panel's form, the one that has its button for the clipboard."""
-    for form in FreeCADGui.getMainWindow().findChildren(QtGui.QWidget, "PatchMillCorePanel"):
+def open_window():
+    """The window, if it is shown."""
+    for form in FreeCADGui.getMainWindow().findChildren(QtGui.QDialog, "PatchMillCoreWindow"):
         if form.isVisible():
             return form
     return None
@@ -59,11 +59,11 @@ class NoCore(unittest.TestCase):
     def setUp(self):
         shutil.rmtree(os.path.dirname(core_loader.core_folder()), ignore_errors=True)
         FreeCADGui.activateWorkbench("PatchMillWorkbench")
-        self.assertTrue(driver.wait(open_panel, 20), "no panel came up")
-        self.form = open_panel()
+        self.assertTrue(driver.wait(open_window, 20), "no window came up")
+        self.form = open_window()
 
     def tearDown(self):
-        FreeCADGui.Control.closeDialog()
+        self.form.reject()
         FreeCADGui.activateWorkbench("PartWorkbench")
         shutil.rmtree(os.path.dirname(core_loader.core_folder()), ignore_errors=True)
 
@@ -84,6 +84,13 @@ class NoCore(unittest.TestCase):
             driver.rest(1.0)
             QtGui.QApplication.primaryScreen().grabWindow(0).save(picture)
 
+    def test_it_is_closed_and_comes_back_with_its_command(self):
+        self.button("Close").click()
+        self.assertIsNone(open_window())
+        FreeCADGui.runCommand("PatchMill_InstallCore")
+        self.form = open_window()
+        self.assertIn("is not installed", text_of(self.form))
+
     def test_the_command_can_be_copied(self):
         self.button("Copy").click()
         copied = QtGui.QApplication.clipboard().text()
@@ -91,17 +98,19 @@ class NoCore(unittest.TestCase):
         self.assertIn(core_loader.core_folder(), copied)
 
     def test_a_wheel_is_installed_and_goes_again(self):
-        built = os.path.join(os.environ["PATCHMILL_GUI_ROOT"], "build", "Mod", "PatchMill")
-        compiled = glob.glob(os.path.join(built, "_patchmill.*"))
-        if not compiled:
-            self.skipTest("no compiled core was built here")
-        with open(compiled[0], "rb") as file:
-            files = {os.path.basename(compiled[0]): file.read()}
-        os.makedirs(os.path.join(core_loader.module_root(), "wheels"), exist_ok=True)
         folder = os.path.join(core_loader.module_root(), "wheels")
+        os.makedirs(folder, exist_ok=True)
         self.addCleanup(shutil.rmtree, folder)
-        wheel_of(folder, name_of_wheel(python="cp36"), files)  # not for this Python: passed over
-        wheel_of(folder, name_of_wheel(), files)
+        wheel_of(folder, name_of_wheel(python="cp36"), {})  # not for this Python: passed over
+        made = wheels.at_hand([os.path.join(os.environ["PATCHMILL_GUI_ROOT"], "dist")])
+        built = glob.glob(os.path.join(os.environ["PATCHMILL_GUI_ROOT"], "build/Mod/PatchMill/_patchmill.*"))
+        if made:
+            shutil.copy(made[0], folder)
+        elif built:
+            with open(built[0], "rb") as file:
+                wheel_of(folder, name_of_wheel(), {os.path.basename(built[0]): file.read()})
+        else:
+            self.skipTest("no compiled core was built here, and there is no wheel")
         self.install_button().click()
         self.assertIn("Installed. Start FreeCAD again", text_of(self.form))
         self.assertEqual(core_loader.why_absent(), "")

@@ -1,5 +1,6 @@
-"""What the workbench is without its compiled core: one panel that says what is missing, for which FreeCAD,
-and installs it. Imports nothing that needs the core or FreeCAD's Path module.
+"""What the workbench is without its compiled core: one window that says what is missing, for which FreeCAD,
+and installs it. No task panel: where no document is open, FreeCAD 1.1 hides those, and 26.3 shows none.
+Imports nothing that needs the core or FreeCAD's Path module.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -14,8 +15,7 @@ from patchmill.install import core_loader, wheels
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
 from PySide import QtCore, QtGui
 
-from patchmill_gui.forms.widgets import button_number, translate
-from patchmill_gui.work.room import make_room_soon
+from patchmill_gui.forms.widgets import translate
 
 NAME = "PatchMill_InstallCore"
 
@@ -26,14 +26,14 @@ def host_words():
     return "FreeCAD %s, Python %d.%d, %s" % (version, *sys.version_info[:2], sys.platform)
 
 
-class CorePanel:
-    """Task panel. `said` is a label with what came of it."""
+class CoreWindow(QtGui.QDialog):
+    """`said` is a label with what came of it."""
 
     def __init__(self):
-        self.form = QtGui.QWidget()
-        self.form.setObjectName("PatchMillCorePanel")
-        self.form.setWindowTitle(translate("PatchMill", "PatchMill's compiled core"))
-        layout = QtGui.QVBoxLayout(self.form)
+        super().__init__(FreeCADGui.getMainWindow())
+        self.setObjectName("PatchMillCoreWindow")
+        self.setWindowTitle(translate("PatchMill", "PatchMill's compiled core"))
+        layout = QtGui.QVBoxLayout(self)
         reason = core_loader.why_absent()
         text = "%s.\n\n%s" % (reason[:1].upper() + reason[1:], host_words())
         self.reason = self._label(layout, text)
@@ -48,16 +48,21 @@ class CorePanel:
             ("copy", translate("PatchMill", "Copy the command for a terminal"), self.copy),
         ):
             button = QtGui.QPushButton(text)
+            button.setAutoDefault(False)
             button.clicked.connect(action)
             layout.addWidget(button)
             self.buttons[name] = button
         self.said = self._label(layout, "")
         layout.addStretch(1)
+        close = QtGui.QDialogButtonBox(QtGui.QDialogButtonBox.Close)
+        close.rejected.connect(self.reject)
+        layout.addWidget(close)
 
     @staticmethod
     def _label(layout, text):
         label = QtGui.QLabel(text)
         label.setWordWrap(True)
+        label.setMinimumWidth(360)  # pixels; a sentence in three lines or so
         label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         layout.addWidget(label)
         return label
@@ -69,7 +74,7 @@ class CorePanel:
 
     def choose(self):
         title = translate("PatchMill", "A wheel of PatchMill's core")
-        name = QtGui.QFileDialog.getOpenFileName(self.form, title, "", "patchmill_core-*.whl")[0]
+        name = QtGui.QFileDialog.getOpenFileName(self, title, "", "patchmill_core-*.whl")[0]
         if name:
             self._do(lambda: wheels.install(name))
 
@@ -93,16 +98,9 @@ class CorePanel:
         for button in self.buttons.values():
             button.setEnabled(False)
 
-    def getStandardButtons(self):
-        make_room_soon()
-        return button_number(QtGui.QDialogButtonBox.Close)
-
-    def reject(self):
-        FreeCADGui.Control.closeDialog()
-
 
 class InstallCore:
-    """Opens the panel."""
+    """Shows the window."""
 
     def GetResources(self):
         icon = os.path.join(core_loader.module_root(), "Resources", "icons", "PatchMill.svg")
@@ -111,10 +109,22 @@ class InstallCore:
         return {"Pixmap": icon, "MenuText": text, "ToolTip": tip}
 
     def IsActive(self):
-        return not FreeCADGui.Control.activeDialog()
+        return True
 
     def Activated(self):
-        FreeCADGui.Control.showDialog(CorePanel())
+        show()
+
+
+_window: list = []  # the last one that was made
+
+
+def show():
+    """Shows the window, a new one unless one is there."""
+    if not (_window and _window[0].isVisible()):
+        _window[:] = [CoreWindow()]
+        _window[0].show()
+    _window[0].raise_()
+    _window[0].activateWindow()
 
 
 def start():
@@ -124,6 +134,6 @@ def start():
 
 
 def show_if_idle():
-    """Opens the panel when the workbench is shown, unless something else is being done."""
+    """Shows the window with the workbench, unless something else is being done."""
     if core_loader.why_absent() and not FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.showDialog(CorePanel())
+        show()
