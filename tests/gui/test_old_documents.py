@@ -10,7 +10,6 @@ import unittest
 
 import driver
 import FreeCAD
-from patchmill.freecad import host
 from patchmill_gui import old_names
 from patchmill_gui.panels import copy_panel, dcm_panel, texture_view
 
@@ -40,7 +39,6 @@ class OldNames(unittest.TestCase):
             self.assertIn(view.__module__.split(".")[1], old_names.NEW_NAMES)
 
 
-@unittest.skipIf(host.VERSION >= (0, 21), "documents of FreeCAD 0.20 open in no other FreeCAD")
 class SavedBefore(unittest.TestCase):
     def setUp(self):
         self.document = FreeCAD.openDocument(SAVED)

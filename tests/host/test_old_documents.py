@@ -1,6 +1,7 @@
-"""Documents and scripts of the version before modules lay in folders: they open, recompute and can be edited,
-and what is saved now names modules as that version does. old_documents/before_folders.FCStd was saved by it,
-with its GUI, in FreeCAD 0.20, whose documents no other FreeCAD reads.
+"""Documents and scripts of the version before modules lay in folders: they open, recompute, can be edited,
+are saved and opened again; what is saved now names modules as that version does.
+old_documents/before_folders.FCStd was saved by it, with its GUI, in FreeCAD 0.20; later FreeCADs find its
+job, tools and stock by patchmill.freecad.old_documents.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -19,7 +20,7 @@ sys.path.insert(0, str(HERE))
 
 import FreeCAD  # noqa: E402
 import patchmill  # noqa: E402
-from parts import WithDocuments  # noqa: E402
+from parts import WithDocuments, saved_and_reopened  # noqa: E402
 from patchmill import old_names  # noqa: E402
 from patchmill.freecad import host  # noqa: E402
 
@@ -92,7 +93,6 @@ class SavedNow(WithDocuments):
             self.assertEqual(saved_modules(folder + "/now.FCStd"), PROXIES)
 
 
-@unittest.skipIf(host.VERSION >= (0, 21), "documents of FreeCAD 0.20 open in no other FreeCAD")
 class SavedBefore(WithDocuments):
     def setUp(self):
         self.assertEqual(saved_modules(SAVED), PROXIES)
@@ -126,6 +126,22 @@ class SavedBefore(WithDocuments):
         self.document.recompute()
         self.assertGreater(copied.Moves, moves)
         self.assertEqual(dressup.State, ["Up-to-date"])
+
+    def test_it_is_saved_and_opened_again(self):
+        paths = {name: self.document.getObject(name).Path.toGCode() for name in PROXIES}
+        with tempfile.TemporaryDirectory() as folder:
+            reopened, job = saved_and_reopened(self.document, folder + "/again.FCStd")
+            self.assertEqual(saved_modules(folder + "/again.FCStd"), PROXIES)
+        (controller, *_) = host.tool_controllers(job)
+        for obj in (job, job.Stock, job.SetupSheet, controller, controller.Tool):
+            self.assertNotIn(obj.Proxy, (None, 0, 1), obj.Name)
+        for name, path in paths.items():
+            operation = reopened.getObject(name)
+            self.assertIs(host.PathUtils.findParentJob(operation), job)
+            self.assertEqual(operation.Path.toGCode(), path, name)
+        texture = reopened.getObject("CurvedTexture")
+        texture.PatchSide = 3
+        self.assertGreater(len(patchmill.recompute(texture).dimples.positions), 0)
 
 
 if __name__ == "__main__":
