@@ -150,7 +150,7 @@ class Controls(driver.BlockTest):
         driver.accept(panel)
         for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):
             driver.run_on(operation, command)
-            task = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Combo View")
+            task = driver.task_dock()
             self.drive(task, self.values_of(operation, TEXTURE_VALUES), self.outside(task))
             FreeCADGui.Control.closeDialog()
         window = post_dialog.show(operation.Proxy.getJob(operation))

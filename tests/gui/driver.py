@@ -77,6 +77,12 @@ def select(part, face):
     FreeCADGui.Selection.addSelection(part, face)
 
 
+def task_dock():
+    """The dock of FreeCAD's task panel: "Combo View", from 1.1 on "Tasks"."""
+    docks = FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget)
+    return next(dock for name in ("Combo View", "Tasks") for dock in docks if dock.objectName() == name)
+
+
 def panel_of(operation):
     return operation.ViewObject.Proxy.panel
 

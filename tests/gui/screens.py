@@ -135,7 +135,7 @@ def plain(label):
 
 
 def dock():
-    return FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Combo View")
+    return driver.task_dock()
 
 
 def textures(sheet, part):

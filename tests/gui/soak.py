@@ -40,7 +40,7 @@ COMMANDS = (
     "PatchMill_Post",
     "PatchMill_Machines",
 )
-PLACES = ("Combo View", "PostDialog", "MachineEditor")  # of what can be pressed
+PLACES = ("Combo View", "Tasks", "PostDialog", "MachineEditor")  # of what can be pressed
 VIEW = "User parameter:BaseApp/Preferences/View"
 
 

@@ -24,7 +24,7 @@ WIDEST = 400  # that a panel may ask for, of a screen of 1024
 
 
 def dock():
-    return FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Combo View")
+    return driver.task_dock()
 
 
 def across(widget, around):
