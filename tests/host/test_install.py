@@ -15,13 +15,14 @@ import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree
+from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import FreeCAD  # noqa: E402
 import patchmill  # noqa: E402
 from parts import job_on, tilted_box  # noqa: E402
-from patchmill.install import core_loader  # noqa: E402
+from patchmill.install import core_loader, wheels  # noqa: E402
 
 ROOT = core_loader.module_root()
 SUFFIX = importlib.machinery.EXTENSION_SUFFIXES[0]
@@ -140,6 +141,23 @@ def needing(library):
         bytes(24) + names,
     ]
     return b"".join(parts)
+
+
+class Wheels(unittest.TestCase):
+    def test_a_wheel_that_lies_near_and_does_not_fit_is_told(self):
+        with tempfile.TemporaryDirectory() as home:
+            os.mkdir(os.path.join(home, "Downloads"))
+            name = "patchmill_core-%s-cp36-cp36-linux_x86_64.whl" % core_loader.version()
+            # no pip is run here
+            no_pip = mock.patch.object(wheels, "interpreter", str)
+            root = mock.patch.object(core_loader, "module_root", lambda: home)
+            with mock.patch.dict(os.environ, HOME=home), root, no_pip:
+                with self.assertRaisesRegex(wheels.InstallError, "interpreter to run pip with.$"):
+                    wheels.fetch()
+                open(os.path.join(home, "Downloads", name), "w").close()
+                said = "%s cannot be used: it is for Python 3.6, and this FreeCAD has Python 3" % name
+                with self.assertRaisesRegex(wheels.InstallError, said):
+                    wheels.fetch()
 
 
 class Modules(Case):

@@ -72,11 +72,16 @@ def _systems():
 def at_hand(folders=()):
     """Wheels that fit, in `folders`, in `wheels` and `dist` below the add-on's folder and in the user's
     downloads."""
+    return [file for file in _near(folders) if not fits(file)]
+
+
+def _near(folders=()):
+    """All wheels there, whether they fit or not."""
     root = core_loader.module_root()
     places = [*folders, os.path.join(root, "wheels"), os.path.join(root, "dist")]
     places.append(os.path.join(os.path.expanduser("~"), "Downloads"))
     patterns = [os.path.join(glob.escape(place), "patchmill_core-*.whl") for place in places]
-    return [f for pattern in patterns for f in sorted(glob.glob(pattern)) if not fits(f)]
+    return [file for pattern in patterns for file in sorted(glob.glob(pattern))]
 
 
 def install(wheel):
@@ -116,7 +121,19 @@ def _unpack(wheel, folder):
 
 
 def fetch():
-    """Lets pip fetch and install the wheel. Raises InstallError with what pip says last."""
+    """Lets pip fetch and install the wheel. Raises InstallError with what pip says last, and why a wheel that
+    lies near was not taken."""
+    try:
+        _fetch()
+    except InstallError as error:
+        for file in _near():
+            if fits(file):
+                text = "%s %s cannot be used: %s." % (error, os.path.basename(file), fits(file))
+                raise InstallError(text) from error
+        raise
+
+
+def _fetch():
     if not interpreter():
         raise InstallError("this FreeCAD comes without a Python interpreter to run pip with.")
     try:
