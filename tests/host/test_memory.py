@@ -90,6 +90,12 @@ class Memory(WithDocuments):
         self.refused(takes - 1.0, plan.plan_texture)
         self.assertEqual(self.with_free(takes, plan.plan_texture).counts["cut"], cut)
 
+    def test_what_will_surely_be_cut_is_foreseen_before_a_dimple_is_placed(self):
+        cut = dict(plan.place_texture(self.given).dimples.counts())["cut"]
+        with mock.patch.object(core.FaceSampler, "place") as place:
+            self.refused(0.6 * cut * division.BYTES_PER_DIMPLE, plan.plan_texture)
+            place.assert_not_called()
+
     def test_millions_of_dimples_are_refused_where_there_are_few_gigabytes(self):
         self.given.patches_x, self.given.patches_y = 200, 210  # of 100 dimples: 4.2 million
         self.refused(3e8, plan.place_texture)

@@ -3,7 +3,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from math import radians
+from math import cos, radians
 
 import _patchmill as core
 import numpy as np
@@ -16,6 +16,8 @@ from patchmill.textures import masks
 BYTES_PER_POINT = {"Projected": 125, "On surface": 380}  # of the lattice, while dimples are placed
 BYTES_PER_DIMPLE = 4100  # to be cut, with its moves in the document
 BYTES_AT_LEAST = 9e6  # the threads' own
+SAMPLES = 32  # along each side of what the faces cover, where it is foreseen how many dimples there will be
+SURELY = 0.8  # of what samples say
 
 
 def _direction(given, remarks):
@@ -167,6 +169,26 @@ def require_memory(division, each, count):
     is."""
     remedy = "there would be %.3g dimples. Choose a larger spacing, fewer patches or fewer faces." % count
     memory.require(each * count + BYTES_AT_LEAST, "Spacing", "%g mm" % division.pattern.spacing, remedy)
+
+
+def require_memory_to_plan(given, sampler, low, high, upright):
+    """Raises InputError naming Spacing where the dimples that will surely be cut on faces from `low` to
+    `high` of the texture plane take more memory than there is, before the lattice itself takes some. Patches
+    that are counted, and masks, are left to when it is known what they leave. `upright`: whether the tool
+    is."""
+    if given.patches_x or given.patches_y or given.mask:
+        return
+    shares = (np.arange(SAMPLES) + 0.5) / SAMPLES
+    places = np.stack(np.meshgrid(shares, shares), axis=-1).reshape(-1, 2)
+    seen = sampler.sample(low + places * (high - low))
+    cut = seen["states"] == core.DimpleState.CUT
+    if upright:  # what is flatter is left out
+        cut &= seen["normals"][:, 2] <= cos(radians(given.minimum_tilt))
+    pattern = _pattern(given, given.patch_side, given.patch_side_across)
+    count = SURELY * cut.mean() * float(np.prod(high - low)) / pattern.cell_area
+    remedy = "there would be about %.3g dimples. Choose a larger spacing or fewer faces." % count
+    needed = BYTES_PER_DIMPLE * count
+    memory.require(needed, "Spacing", "%g mm" % given.spacing, remedy)
 
 
 def _start_on_faces(given, sampler):

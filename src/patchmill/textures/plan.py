@@ -129,13 +129,14 @@ class PlannedTexture(PlacedTexture):
 
 
 @stoppable
-def place_texture(given, progress=None):
-    """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False. Raises
-    InputError naming the property that is wrong."""
+def place_texture(given, progress=None, to_plan=False):
+    """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False. `to_plan`: its
+    path will be planned, and the memory for that is foreseen. Raises InputError naming the property that is
+    wrong."""
     if given.form == "Free":
         fields = free_form.place(given, progress)
     else:
-        fields = _place_lattice(given, progress)
+        fields = _place_lattice(given, progress, to_plan)
     if fields is None:
         return None
     placed = PlacedTexture(asked=given, **fields)
@@ -162,12 +163,14 @@ def _put_in_order(placed: PlacedTexture, direction: Optional[int] = None) -> Non
         _keep_off_tip(placed)  # rows have axes of their own
 
 
-def _place_lattice(given: TextureInput, progress: Progress) -> Optional[dict]:
+def _place_lattice(given: TextureInput, progress: Progress, to_plan: bool = False) -> Optional[dict]:
     """The fields of a PlacedTexture whose dimples are on a lattice, as a dict."""
     size = texture_size(given)  # before the faces are looked at
     given = replace(given, spacing=size["spacing"])
     remarks: list[str] = []
     plane, sampler, low, high = sampler_on(given, remarks)
+    if to_plan:
+        division.require_memory_to_plan(given, sampler, low, high, tool_posture.is_vertical(given))
     laying = given.mapping != "Projected"
     divided = divide(given, plane, sampler, low, high, remarks, _share(progress, 0.0, 0.7))
     if divided is None:
@@ -237,7 +240,7 @@ def plan_texture(given, progress=None):
     """PlannedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
 
     Raises InputError naming the property that is wrong."""
-    placed = place_texture(given, progress)
+    placed = place_texture(given, progress, to_plan=True)
     if placed is None:
         return None
     division.require_memory(placed.division, division.BYTES_PER_DIMPLE, dict(placed.dimples.counts())["cut"])
