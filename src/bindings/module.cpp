@@ -1,14 +1,15 @@
-// The compiled module's entry, its errors and its progress callbacks.
+// The compiled module's entry and its errors.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
 #include "patchmill/geometry/error.h"
-
-#include <locale.h>
 
 #include <pybind11/eval.h>
 #include <tbb/global_control.h>
 
 namespace patchmill {
+
+void bind_watch(py::module_& m);  // watch.cpp
+
 namespace {
 
 // A text of an error for Python. It may quote a piece of what was read, and that begin or end within a character.
@@ -60,98 +61,6 @@ void bind_numbers(py::module_& m, const char* name, const char* text,
   const py::object made = make(name, members, py::arg("module") = m.attr("__name__"));
   made.attr("__doc__") = text;
   m.attr(name) = made;
-}
-
-namespace {
-
-/// Whose progress is asked by calls that are given none of their own: the innermost `with Watch(...)` of a thread.
-thread_local std::vector<class Watch*> watches;
-
-/// A progress that knows what it was told last.
-class Watch {
- public:
-  explicit Watch(py::object progress) : progress_(std::move(progress)) {
-    if (!progress_.is_none() && !PyCallable_Check(progress_.ptr()))
-      throw InputError("Progress", py::str(progress_),
-                       "give a function of the share done, or None.");
-  }
-
-  bool tell(double share) {
-    share_ = share;
-    return goes_on();
-  }
-  bool goes_on() const { return progress_.is_none() || progress_(share_).cast<bool>(); }
-
- private:
-  py::object progress_;
-  double share_ = 0.0;
-};
-
-[[noreturn]] void raise_cancelled() {
-  PyErr_SetNone(py::module_::import("_patchmill").attr("Cancelled").ptr());
-  throw py::error_already_set();
-}
-
-}  // namespace
-
-void bind_watch(py::module_& m) {
-  py::exec(R"(
-class Cancelled(BaseException):
-    """Ends what is done within `with Watch(progress)` when `progress` returned False; goes no further. No fault, and
-    so no Exception: nothing that handles faults on the way takes it for one."""
-)",
-           m.attr("__dict__"));
-  m.attr("Cancelled").attr("__module__") = "_patchmill";
-  py::class_<Watch>(m, "Watch",
-                    "with Watch(progress) as progress: all long calls within also ask `progress` "
-                    "(share -> bool, or None), and the block ends where it returns False.")
-      .def(py::init<py::object>(), py::arg("progress") = py::none(),
-           "Raises InputError naming Progress.")
-      .def("__call__", &Watch::tell, py::arg("share"),
-           "Tells the share done, 0 to 1; whether to go on. Raises what the progress raises.")
-      .def(
-          "__enter__",
-          [](Watch& watch) -> Watch& {
-            watches.push_back(&watch);
-            return watch;
-          },
-          py::return_value_policy::reference, "Begins to be asked in this thread. Raises nothing.")
-      .def(
-          "__exit__",
-          [](Watch&, const py::object& type, const py::object&, const py::object&) {
-            watches.pop_back();
-            return type.is(py::module_::import("_patchmill").attr("Cancelled"));
-          },
-          "Ends it, and Cancelled with it. Raises nothing.");
-}
-
-bool watched(const py::object& callable, const std::function<void(const Progress&)>& work) {
-  std::optional<py::error_already_set> raised;
-  const locale_t numbers =
-      uselocale(nullptr);  // of this thread: the work's own writes numbers alike
-  bool done = false;
-  {
-    const py::gil_scoped_release release;
-    done = run_stoppable(
-        [&](const Progress& progress) {
-          uselocale(numbers);
-          work(progress);
-        },
-        [&](double share) {
-          const py::gil_scoped_acquire gil;
-          try {
-            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            if (!callable.is_none()) return callable(share).cast<bool>();
-            if (watches.empty() || watches.back()->goes_on()) return true;
-            raise_cancelled();
-          } catch (py::error_already_set& error) {
-            raised.emplace(std::move(error));
-            return false;
-          }
-        });
-  }
-  if (raised) throw py::error_already_set(std::move(*raised));
-  return done;
 }
 
 namespace {

@@ -10,7 +10,9 @@ import sys
 import threading
 import unittest
 
+import _patchmill as core
 import driver
+import Part
 from patchmill_gui.work.background import NICER, Background
 from PySide import QtCore
 
@@ -66,6 +68,26 @@ class RunsInTheBackground(unittest.TestCase):
             self.assertFalse(gc.isenabled())
         finally:
             gc.enable()
+
+    def test_what_hands_its_progress_to_nobody_is_cancelled_too(self):
+        begun, ended, given_up = threading.Event(), threading.Event(), threading.Event()
+        block = Part.makeBox(1, 1, 1).exportBrepToString()
+
+        def endless(progress):
+            begun.set()
+            try:
+                while not given_up.is_set():
+                    core.tessellate(block, 0.1)
+            finally:
+                ended.set()
+
+        self.work.start(endless)
+        self.assertTrue(begun.wait(30))
+        self.work.cancel()
+        stopped = driver.wait(ended.is_set, 30)
+        given_up.set()
+        self.assertTrue(stopped)
+        self.assertEqual((self.results, self.errors), ([], []))
 
     def test_the_newest_wins_and_the_collector_comes_back(self):
         gate = threading.Event()

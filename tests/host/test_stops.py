@@ -21,8 +21,11 @@ import Part  # noqa: E402
 import patchmill  # noqa: E402
 from milling_jobs import add_pocket, dress, make_job, pocket_part  # noqa: E402
 from parts import WithDocuments, job_on  # noqa: E402
+from patchmill.advice import room  # noqa: E402
 from patchmill.modifiers import dcm_input, dressup_dcm  # noqa: E402
 from patchmill.operations import copy_input, copy_milling, texture_operation  # noqa: E402
+from patchmill.path import base_path  # noqa: E402
+from patchmill.system.stops import stoppable  # noqa: E402
 from patchmill.verify import checks  # noqa: E402
 from recipe import small_job  # noqa: E402
 
@@ -123,6 +126,12 @@ class CtrlC(WithDocuments):
         self.assertIs(signal.getsignal(signal.SIGINT), before)
         patchmill.recompute(op)  # nothing is left behind
 
+    def test_ends_functions_of_python(self):
+        with self.assertRaises(KeyboardInterrupt):
+            threading.Timer(0.05, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+            while True:
+                base_path.arc_points((1, 0, 0), (0, 1, 0), (0, 0), False)
+
     def test_what_a_progress_raises_comes_out(self):
         _, _, op = small_job(name="raises")
         given = op.Proxy.texture_input(op)
@@ -145,6 +154,113 @@ class CtrlC(WithDocuments):
             reached.append("within")
         core.tessellate(brep, 0.1)
         self.assertEqual(reached, ["within"])
+
+
+def one_call(progress=None):
+    """A call of the core that looks for a stop."""
+    core.tessellate(Part.makeBox(1, 1, 1).exportBrepToString(), 0.1)
+    return "whole"
+
+
+stoppable_call = stoppable(one_call)
+
+
+class WithinEachOther(WithDocuments):
+    """Functions that stop, and are called by others that do."""
+
+    def test_one_without_a_progress_asks_the_one_around_it(self):
+        reached = []
+
+        @stoppable
+        def outer(progress=None):
+            reached.append(stoppable_call())
+            return reached[-1]
+
+        self.assertIsNone(outer(lambda share: False))
+        self.assertEqual(reached, [])
+        self.assertEqual(outer(), "whole")
+
+    def test_one_that_hands_its_progress_on_ends_with_it(self):
+        """What it calls gives None; so does it, not something made of that."""
+        reached = []
+
+        @stoppable
+        def middle(progress=None):
+            reached.append(stoppable_call(progress))
+            return "made of %s" % reached[-1]
+
+        @stoppable
+        def outer(progress=None):
+            return middle()
+
+        self.assertIsNone(outer(lambda share: False))
+        self.assertEqual(reached, [])
+        self.assertEqual(middle(lambda share: False), "made of None")
+
+    def test_a_check_of_walls_for_a_remedy(self):
+        _, _, op = small_job(name="walls")
+        given = op.Proxy.texture_input(op)
+        self.assertFalse(room.touches(given, [Part.makeBox(1, 1, 1).exportBrepToString()]))
+        some = Counted(last=3)
+        with core.Watch(some):
+            room.touches(given, given.breps)
+            self.fail("not stopped")
+        self.assertEqual(some.count, 3)
+
+    def test_recomputes_are_not_ended(self):
+        """FreeCAD would take a stop in the middle for a fault of the operation."""
+        _, _, op = small_job(name="recomputed")
+        patchmill.recompute(op)
+        op.touch()
+        with core.Watch(lambda share: False):
+            op.Document.recompute()
+            self.assertIsNone(op.Proxy.error)
+            self.assertIsNotNone(op.Proxy.planned)
+            one_call()
+            self.fail("not stopped")
+
+
+class OfPython(WithDocuments):
+    """Functions of the package that call none of the core's."""
+
+    CALLS = 10**7  # more than a progress waits for
+
+    def arcs(self, progress, watched):
+        with core.Watch(progress):
+            for made in range(self.CALLS):
+                base_path.arc_points((1, 0, 0), (0, 1, 0), (0, 0), False)
+                watched.append(made)
+
+    def test_ask_and_end(self):
+        made, some = [], Counted(last=2)
+        self.arcs(some, made)
+        self.assertEqual(some.count, 2)
+        self.assertLess(len(made), self.CALLS)
+        self.assertIsNone(sys.getprofile())
+
+    def test_what_is_cleaned_up_after_a_stop_is_let_alone(self):
+        done, some = [], Counted(last=2)
+        with core.Watch(some):
+            try:
+                for _ in range(self.CALLS):
+                    base_path.arc_points((1, 0, 0), (0, 1, 0), (0, 0), False)
+            finally:
+                for _ in range(20000):  # longer than it takes until it would be asked again
+                    base_path.arc_points((1, 0, 0), (0, 1, 0), (0, 0), False)
+                done.append(True)
+        self.assertEqual((done, some.count), ([True], 2))
+
+    def test_a_profiler_stays(self):
+        def profiler(*_):
+            return None
+
+        sys.setprofile(profiler)
+        try:
+            with core.Watch(Counted(last=2)):
+                self.assertIs(sys.getprofile(), profiler)
+            self.assertIs(sys.getprofile(), profiler)
+        finally:
+            sys.setprofile(None)
 
 
 if __name__ == "__main__":

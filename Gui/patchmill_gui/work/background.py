@@ -105,7 +105,9 @@ class Background(QtCore.QObject):
         try:
             # a core stays free for the GUI: without it its thread would wait for its turn
             limit = core.ThreadLimit(max(1, (os.cpu_count() or 2) - self._spare))
-            result = work(progress)
+            result = None
+            with core.Watch(progress) as asked:  # by all that is called, whether or not it is handed on
+                result = work(asked)
             del limit
         except Exception as error:  # delivered to whoever asked, in the GUI thread
             self._arrived.emit(number, "failed", error)

@@ -22,6 +22,7 @@ from _patchmill import InputError
 
 from patchmill.advice import cells, orientation
 from patchmill.advice.found import GOOD, SMALL, Assessment, PatchQuality
+from patchmill.system.stops import stoppable
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import place_texture, plan_texture
 
@@ -46,6 +47,7 @@ def with_simulation(simulate):
     return partial(assess, simulate)
 
 
+@stoppable
 def assess(simulate, given, count=5, progress=None, middle_first=False, whole=False, known=None):
     """Assessment of a TextureInput from `count` patches, and one of the flattest dimples; None if `progress`
     (fraction -> bool) returned False. Raises InputError where no dimple can be placed.

@@ -15,6 +15,7 @@ from _patchmill import InputError
 
 from patchmill.advice.found import GOOD, GOOD_FRACTION, SMALL, Assessment
 from patchmill.machine import machines
+from patchmill.system.stops import stoppable
 from patchmill.textures import strategies
 from patchmill.textures.division import texture_size
 from patchmill.textures.order import rows
@@ -91,6 +92,7 @@ def _stops_are_known(machine):
     return machine.data["path_tolerance_mm"] == 0.0 and axes["jerk_mm_s3"] is None
 
 
+@stoppable
 def choose(assess, given, free=False, progress=None):
     """The Choice for a TextureInput: the fastest that is good at all places that were looked at, else the one
     that is good at most. `assess`: see assessment.with_simulation; `free`: the tool controller's feed and

@@ -12,6 +12,7 @@ from patchmill.advice import orientation, room, sides
 from patchmill.advice.choice import POLYGONS
 from patchmill.advice.found import GOOD_FRACTION, Assessment, is_enough, largest_good_run
 from patchmill.machine import machines
+from patchmill.system.stops import stoppable
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import plan_texture
 
@@ -54,6 +55,7 @@ class Finder:
         self.before = dict(before or {}) if chosen and free else {}
         self.walls = False  # whether a tool would have run into the part
 
+    @stoppable
     def find(self, given, progress=None):
         """The Remedies that were tried and help, the best first; None if `progress` (fraction -> bool)
         returned False."""
@@ -84,7 +86,7 @@ class Finder:
         found: list[Remedy] = []
         slow = self._slow_strategies(given)
         for number, attempt in enumerate(first + last):
-            if progress and not progress(number / len(first + last)):
+            if not progress(number / len(first + last)):
                 return None
             enough = ENOUGH if number < len(first) else 1
             good = (one for one in found if is_enough(one.assessment, reached))
@@ -291,9 +293,7 @@ def _leaves_good(found, now):
 def _helps(found, now):
     """Whether an Assessment is more than MIN_GAIN better than what is good `now`; beside nothing at all
     (None) a texture helps whatever its borders."""
-    if now is None:
-        return found.good_fraction > MIN_GAIN
-    return found.worth > now + MIN_GAIN
+    return found.good_fraction > MIN_GAIN if now is None else found.worth > now + MIN_GAIN
 
 
 def _finer_fields(given, part):

@@ -19,7 +19,7 @@ from patchmill.operations.computed import not_computed
 from patchmill.properties import property_table
 from patchmill.properties.check_properties import POST_GOUGING, gouge_tolerance
 from patchmill.voxels import removal_model
-from patchmill.system.stops import stoppable
+from patchmill.system.stops import stoppable, to_its_end
 
 CONTROLS = ["Feed", "Posture", "Feed and posture"]
 PROPERTIES = [
@@ -165,6 +165,10 @@ class DressupDCM:
     def execute(self, obj):
         if absent_core.keeps_path(obj):
             return
+        self._compute(obj)
+
+    @to_its_end
+    def _compute(self, obj):
         before = self.model  # its voxels may do for the new one, while it is there
         self.forget_path(obj)
         try:

@@ -10,6 +10,7 @@ from patchmill.freecad import absent_core, hooks, host, made_from, tool_controll
 from patchmill.machine import machining_time
 from patchmill.operations.computed import made, planned, recompute  # noqa: F401  for macros
 from patchmill.properties import property_table
+from patchmill.system.stops import to_its_end
 
 
 class BallEndOperation(host.PathOp.ObjectOp):
@@ -63,6 +64,10 @@ class BallEndOperation(host.PathOp.ObjectOp):
         self.forget()
         if absent_core.keeps_path(obj):
             return None
+        return self._compute(obj)
+
+    @to_its_end
+    def _compute(self, obj):
         obj.Path = host.Path.Path()
         try:
             if obj.Active:

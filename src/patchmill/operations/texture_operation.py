@@ -26,7 +26,7 @@ from patchmill.properties.texture_results import RESULTS, show_results
 from patchmill.textures.masks import MaskInput, curve_loops
 from patchmill.textures.plan import PlannedTexture, TextureInput, plan_texture
 from patchmill.voxels import axis_field
-from patchmill.system.stops import stoppable
+from patchmill.system.stops import stoppable, to_its_end
 
 
 @dataclass
@@ -78,8 +78,9 @@ class ObjectTexture(BallEndOperation):
     def results(cls):
         return RESULTS + cls.OWN_RESULTS
 
-    def execute(self, obj):
-        result = super().execute(obj)
+    @to_its_end
+    def _compute(self, obj):
+        result = super()._compute(obj)
         if self.planned is not None and self.planned.posture is not None:
             obj.Path = host.without_last_rapid(obj.Path)
         return result

@@ -64,9 +64,13 @@ def with_angles(path, source, machine):
 def centre_error(path, joints, kinematics):
     """How far the ball centre is from the middle of its line half-way through each move [mm]."""
     middle = 0.5 * (joints[1:] + joints[:-1])
-    axes = np.array([kinematics.tool_axis(joint) for joint in middle]).reshape(-1, 3)
+    axes = np.array([_tool_axis(kinematics, joint) for joint in middle]).reshape(-1, 3)
     before = np.vstack([path.axes[:1], path.axes[:-1]])
     return path.tool.radius * np.linalg.norm(axes - 0.5 * (before + path.axes), axis=1)
+
+
+def _tool_axis(kinematics, joint):
+    return kinematics.tool_axis(joint)  # a function of its own: where these are called a stop is looked for
 
 
 def halved(path, source, halve):

@@ -22,6 +22,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.operations.computed import planned
+from patchmill.system.stops import stoppable
 from patchmill.textures import strategies
 from patchmill.textures.order import rows
 from patchmill.textures.plan import PlannedTexture, plan_texture
@@ -55,6 +56,7 @@ class BestSpeed:
     best: SpeedPoint = None
 
 
+@stoppable
 def best_speed(operation, speeds=None, orders=None, extra_turns=None, feeds=None, progress=None):
     """BestSpeed of a texture operation on its machine. `speeds`: whole rpm to try; None: from a fourth of the
     speed that is set to four times it. `orders`, `extra_turns`, `feeds` [mm/min]: what else to try; None: the
@@ -67,6 +69,7 @@ def best_speed(operation, speeds=None, orders=None, extra_turns=None, feeds=None
     return of_plan(plan, speeds, orders, extra_turns, feeds, progress)
 
 
+@stoppable
 def of_plan(plan, speeds=None, orders=None, extra_turns=None, feeds=None, progress=None):
     """The same of a PlannedTexture, without a document."""
     if plan.machine is None:

@@ -206,15 +206,15 @@ class ThreadLimit:
         ...
 
 class Watch:
-    """with Watch(progress) as progress: all long calls within also ask `progress` (share -> bool, or None), and the block ends where it returns False."""
+    """with Watch(progress) as progress: all long calls within also ask `progress` (share -> bool), and the block ends where it returns False. Watch(None) asks the one around it, which ends then."""
     def __call__(self, share: float) -> bool:
-        """Tells the share done, 0 to 1; whether to go on. Raises what the progress raises."""
+        """Tells the share done, 0 to 1; whether to go on. Raises what the progress raises, and Cancelled where it is that of a Watch around this one that says no."""
         ...
     def __enter__(self) -> Watch:
         """Begins to be asked in this thread. Raises nothing."""
         ...
     def __exit__(self, arg0: object, arg1: object, arg2: object) -> bool:
-        """Ends it, and Cancelled with it. Raises nothing."""
+        """Ends it, and Cancelled with it if its own progress said no. Raises nothing."""
         ...
     def __init__(self, progress: object = None) -> None:
         """Raises InputError naming Progress."""
