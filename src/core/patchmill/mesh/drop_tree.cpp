@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/mesh/drop_tree.h"
 
+#include "patchmill/geometry/stop.h"
 #include "patchmill/mesh/float_rounding.h"
 
 #include <algorithm>
@@ -86,6 +87,7 @@ DropTree::DropTree(const std::vector<Triangle>& triangles) {
 // A span that becomes leaves by so many halvings. The root takes what three halvings a level leave over, so
 // that the nodes below it are full.
 std::int32_t DropTree::add_node(int halvings, const Span& span) {
+  stop_point();
   const auto at = static_cast<std::int32_t>(nodes_.size());
   nodes_.push_back(empty_drop_leaf().node);
   const int now = halvings == 0 ? 0 : (halvings - 1) % 3 + 1;

@@ -65,6 +65,7 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
   nodes_.push_back({Vec3::Zero(), Vec3::Zero(), 0, n});
   std::vector<std::int32_t> todo{0};
   while (!todo.empty()) {
+    stop_point();
     const std::int32_t node = todo.back();
     todo.pop_back();
     const std::int32_t left = split(node, middle, mesh);

@@ -3,12 +3,14 @@
 #include "patchmill/mesh/triangle_mesh.h"
 
 #include "patchmill/geometry/error.h"
+#include "patchmill/geometry/stop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
+#include <tbb/parallel_sort.h>
 
 namespace patchmill::mesh {
 namespace {
@@ -45,7 +47,8 @@ std::size_t unmatched_edges(const TriangleMesh& mesh) {
       const std::int32_t a = t[k], b = t[(k + 1) % 3];
       edges.push_back(a < b ? Edge{a, b, 1} : Edge{b, a, -1});
     }
-  std::sort(edges.begin(), edges.end());
+  tbb::parallel_sort(edges.begin(), edges.end());
+  stop_point();
   std::size_t open = 0;
   for (std::size_t i = 0; i < edges.size();) {
     int balance = 0;

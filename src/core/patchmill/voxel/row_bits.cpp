@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "patchmill/voxel/row_bits.h"
 
+#include "patchmill/geometry/stop.h"
 #include "patchmill/mesh/parity.h"
 
 #include <algorithm>
@@ -118,6 +119,7 @@ ColumnTriangles sort_into_columns(const mesh::TriangleMesh& mesh, const GridFram
   out.first.assign(static_cast<std::size_t>(bricks.y()) * bricks.z() + 1, 0);
   const auto visit = [&](const auto& found) {
     for (std::size_t i = 0; i < out.triangles.size(); ++i) {
+      stop_point();
       const Range y = touched_cells(out.triangles[i], 1, 8 * bricks.y());
       const Range z = touched_cells(out.triangles[i], 2, 8 * bricks.z());
       for (int k = z.lo >> 3; k <= z.hi >> 3; ++k)
