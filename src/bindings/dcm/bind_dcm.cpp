@@ -7,6 +7,7 @@
 #include "patchmill/dcm/field_view.h"
 #include "patchmill/dcm/voxel_file.h"
 #include "patchmill/geometry/require.h"
+#include "patchmill/voxel/foreseen_memory.h"
 #include "patchmill/voxel/transient.h"
 #include "patchmill/voxel/voxelise.h"
 
@@ -134,14 +135,16 @@ void bind_grid(py::module_& m) {
       "estimate_voxels",
       [](const Solid& stock, const Solid& part, double pitch, int posture_fields, bool materials) {
         const voxel::GridFrame frame = voxel::frame_over(mesh::bounds(stock.mesh), pitch);
-        return estimate_dict(voxel::estimate_memory(
-            frame, std::max(0.0, mesh::volume(stock.mesh) - mesh::volume(part.mesh)),
-            mesh::surface_area(stock.mesh) + mesh::surface_area(part.mesh),
-            fields_of(posture_fields), materials));
+        voxel::MemoryEstimate need;
+        watched(py::none(), [&](const Progress&) {
+          need = voxel::foreseen_memory(stock.mesh, part.mesh, frame, fields_of(posture_fields),
+                                        materials);
+        });
+        return estimate_dict(need);
       },
       py::arg("stock"), py::arg("part"), py::arg("pitch"), py::arg("posture_fields") = 2,
       py::arg("materials") = false,
-      "Bytes foreseen, nothing allocated. `posture_fields`: 2 angles, 3 components or 0; "
+      "Bytes foreseen, hardly any allocated. `posture_fields`: 2 angles, 3 components or 0; "
       "`materials`: "
       "whether there are other than the stock's own. Raises InputError naming voxel size or "
       "posture_fields.");

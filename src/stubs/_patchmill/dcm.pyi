@@ -134,7 +134,7 @@ def diffuse_feed(grid: VoxelGrid, low: float, high: float, time: float, step: fl
     """(FeedField after `time` [s], steps taken); steps beyond the limit are refused or divided. Raises InputError naming lower feed, upper feed, Exterior, diffusion time, time step, number of time steps or diffusion coefficient."""
     ...
 def estimate_voxels(stock: Solid, part: Solid, pitch: float, posture_fields: int = 2, materials: bool = False) -> dict[str, typing.Any]:
-    """Bytes foreseen, nothing allocated. `posture_fields`: 2 angles, 3 components or 0; `materials`: whether there are other than the stock's own. Raises InputError naming voxel size or posture_fields."""
+    """Bytes foreseen, hardly any allocated. `posture_fields`: 2 angles, 3 components or 0; `materials`: whether there are other than the stock's own. Raises InputError naming voxel size or posture_fields."""
     ...
 def holder_clearance(part: Solid, holder: list[list[list[float]]], path: _patchmill.path.ToolPath, clearance: float, step: float = 0.5) -> dict[str, typing.Any]:
     """Smallest distance of the holder from the part along the timed moves [mm], where, and how many moves come nearer than `clearance`. Raises InputError naming holder section, height of holder section, radius of holder section, holder clearance or step."""

@@ -4,6 +4,7 @@
 #include "patchmill/dcm/materials.h"
 #include "patchmill/dcm/posture_field.h"
 #include "patchmill/mesh/triangle_bvh.h"
+#include "patchmill/voxel/foreseen_memory.h"
 #include "patchmill/voxel/voxelise.h"
 #include "voxel/peak_memory.h"
 #include "voxel/shapes.h"
@@ -119,6 +120,22 @@ TEST(Memory, EstimateIsCloseToWhatIsStored) {
   const double exact = memory_of(grid.table).total();
   EXPECT_GT(foreseen, 0.95 * exact);
   EXPECT_LT(foreseen, 1.4 * exact);
+}
+
+// Where stock and part share sides, and where they do not: bricks along a side count once.
+TEST(Memory, BricksAreForeseenOneByOne) {
+  const mesh::TriangleMesh block = mesh::box_mesh(Vec3::Zero(), Vec3(60, 44, 30));
+  const mesh::TriangleMesh low = mesh::box_mesh(Vec3::Zero(), Vec3(60, 44, 21.3));
+  const mesh::TriangleMesh inner = mesh::box_mesh(Vec3(11, 8, 7), Vec3(50.4, 33, 23.7));
+  const mesh::TriangleMesh round = shapes::sphere(Vec3(30, 22, 15), 13.7, 4);
+  for (const mesh::TriangleMesh* part : {&low, &inner, &round})
+    for (const double side : {0.4, 0.5, 0.61}) {
+      const VoxelGrid grid = voxelise(block, *part, pitch(side));
+      const auto stored = static_cast<double>(grid.table.size());
+      const auto foreseen = static_cast<double>(bricks_to_store(block, *part, grid.frame));
+      EXPECT_GE(foreseen, stored);
+      EXPECT_LE(foreseen, 1.03 * stored);
+    }
 }
 
 }  // namespace

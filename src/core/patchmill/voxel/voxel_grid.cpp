@@ -29,12 +29,16 @@ std::array<std::int64_t, kVoxelKinds> count_kinds(const VoxelGrid& grid) {
 
 namespace {
 
+// Measured by tests/bench/jobs_memory_bench.py: bytes of a cell while the kinds are gathered, and of the threads.
+constexpr double kGathered = 0.4, kThreads = 4e6;
+
 MemoryEstimate of_bricks(double bricks, double box_bricks, int posture_fields, bool materials) {
   const double cells = bricks * kBrickCells;
   MemoryEstimate need;
-  // numbers and flags per brick of the box; per stored brick its place and neighbours; the kinds twice, since the
-  // pieces from which they are gathered are small and the allocator may keep them
-  need.grid = 5.0 * box_bricks + bricks * (sizeof(Cell) + 6.0 * sizeof(std::int32_t)) + 2.0 * cells;
+  // numbers and flags per brick of the box; per stored brick its place and neighbours; the kinds, and the pieces from
+  // which they are gathered: small ones, which the allocator may keep
+  need.grid = 5.0 * box_bricks + bricks * (sizeof(Cell) + 6.0 * sizeof(std::int32_t)) +
+              (1.0 + kGathered) * cells + kThreads;
   need.fields =
       cells * (3.0 * sizeof(double) + posture_fields * sizeof(float) + (materials ? 1.0 : 0.0));
   const double solving =

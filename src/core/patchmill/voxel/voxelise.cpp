@@ -6,6 +6,7 @@
 #include "patchmill/geometry/large_vector.h"
 #include "patchmill/voxel/brick_bits.h"
 #include "patchmill/voxel/brick_halo.h"
+#include "patchmill/voxel/foreseen_memory.h"
 #include "patchmill/voxel/row_bits.h"
 
 #include <algorithm>
@@ -49,8 +50,10 @@ struct Gathering {
     VoxelGrid grid;
     grid.frame = frame;
     std::vector<std::uint8_t> wanted(solid.size(), 0);
-    for (std::size_t c = 0; c < columns.size(); ++c)
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      stop_point();
       for (const int x : columns[c].place) wanted[c * box.x() + x] = 1;
+    }
     grid.table = make_brick_table(frame.cells, wanted);
     fill_large(grid.kind, grid.table.cell_count(), [](std::size_t) { return VoxelKind::Removal; });
     patchmill::parallel_for(std::size_t{0}, columns.size(), [&](std::size_t c) {
@@ -67,8 +70,10 @@ struct Gathering {
   // Removal voxels that border on air become Exterior. Only bricks with air in them or beside them are asked.
   void mark_skin(VoxelGrid& grid) const {
     std::vector<std::int32_t> near;
-    for (std::size_t brick = 0; brick < grid.table.size(); ++brick)
+    for (std::size_t brick = 0; brick < grid.table.size(); ++brick) {
+      stop_point();
       if (near_air(grid.table, brick)) near.push_back(static_cast<std::int32_t>(brick));
+    }
     std::vector<std::array<std::uint8_t, 64>> skin(near.size());
     patchmill::parallel_for(std::size_t{0}, near.size(),
                             [&](std::size_t i) { skin[i] = skin_bits(grid, near[i]); });
@@ -137,7 +142,11 @@ void require_something_to_remove(const VoxelGrid& grid) {
   const auto to_remove = [](VoxelKind k) {
     return k == VoxelKind::Removal || k == VoxelKind::Exterior;
   };
-  if (std::any_of(grid.kind.begin(), grid.kind.end(), to_remove)) return;
+  for (std::size_t brick = 0; brick < grid.table.size(); ++brick) {
+    stop_point();
+    const auto first = grid.kind.begin() + static_cast<std::ptrdiff_t>(brick) * kBrickCells;
+    if (std::any_of(first, first + kBrickCells, to_remove)) return;
+  }
   throw InputError("removal volume", "0 voxels",
                    "give a stock larger than the part, or smaller voxels.");
 }
@@ -171,9 +180,7 @@ VoxelGrid voxelise(const mesh::TriangleMesh& stock, const mesh::TriangleMesh& pa
   mesh::require_closed(part, "part");
   const GridFrame frame = frame_over(mesh::bounds(stock), options.pitch);
   require_part_in_stock(mesh::bounds(stock), mesh::bounds(part), options.pitch);
-  require_memory(estimate_memory(frame, std::max(0.0, mesh::volume(stock) - mesh::volume(part)),
-                                 mesh::surface_area(stock) + mesh::surface_area(part),
-                                 options.posture_fields, options.materials),
+  require_memory(foreseen_memory(stock, part, frame, options.posture_fields, options.materials),
                  options.memory_limit, frame);
   const ColumnTriangles stock_sorted = sort_into_columns(stock, frame);
   const ColumnTriangles part_sorted = sort_into_columns(part, frame);
