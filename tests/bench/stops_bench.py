@@ -1,5 +1,7 @@
-"""How long each long call takes to come back after a stop, at 100 random moments (STOPS), and the longest
-time between two of its progress calls, in milliseconds; the aims are 200 and 100.
+"""How long each long call takes to come back after a stop, at 100 random moments (STOPS), and after Ctrl-C
+at as many, and the longest time between two of its progress calls, in milliseconds; the aims are 200 and 100.
+Beside each the processor time that the process took meanwhile, which says what it was on a machine that did
+other things as well. CALLS names those that are to be measured, of all.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -7,8 +9,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import os
 import pathlib
 import random
+import signal
 import sys
 import tempfile
+import threading
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -26,6 +30,7 @@ from patchmill.voxels import removal_model  # noqa: E402
 from recipe import small_job  # noqa: E402
 
 STOPS = int(os.environ.get("STOPS", 100))
+CALLS = os.environ.get("CALLS", "").split(",")
 
 
 class Clock:
@@ -33,28 +38,77 @@ class Clock:
 
     def __init__(self, seconds=float("inf")):
         self.end = time.monotonic() + seconds
-        self.last, self.longest = time.monotonic(), 0.0
+        self.last, self.taken = time.monotonic(), time.process_time()
+        self.longest = self.most = 0.0
 
     def __call__(self, share):
-        now = time.monotonic()
+        now, taken = time.monotonic(), time.process_time()
         self.longest, self.last = max(self.longest, now - self.last), now
+        self.most, self.taken = max(self.most, taken - self.taken), taken
         return now < self.end
+
+    def since(self):
+        """(seconds, processor seconds) since it was asked last."""
+        return time.monotonic() - self.last, time.process_time() - self.taken
+
+
+class Late:
+    """Times of coming back, as a text."""
+
+    def __init__(self):
+        self.times, self.taken = [], []
+
+    def add(self, seconds, *taken):
+        self.times.append(seconds)
+        self.taken.extend(taken)
+
+    def __str__(self):
+        times = sorted(self.times)
+        text = "%3.0f ms, at most %4.0f" % (1e3 * times[len(times) // 2], 1e3 * times[-1])
+        return text + (" (processor %.0f)" % (1e3 * max(self.taken)) if self.taken else "")
+
+
+def interrupted(call, after):
+    """(seconds, processor seconds) from a Ctrl-C after so many seconds to when the call has ended; None if it
+    ended before."""
+    began = []
+
+    def press():
+        began.extend((time.monotonic(), time.process_time()))
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(after, press)
+    try:
+        timer.start()
+        call(None)
+        timer.cancel()
+        timer.join()
+        time.sleep(0.001)  # where it is pressed just now it is told here
+    except KeyboardInterrupt:
+        return time.monotonic() - began[0], time.process_time() - began[1]
+    return None
 
 
 def measure(name, call):
     """One line of the table; the call is made whole first."""
+    if CALLS != [""] and name not in CALLS:
+        return
     began, whole = time.monotonic(), Clock()
     call(whole)
+    whole(1.0)
     seconds = time.monotonic() - began
-    numbers, late = random.Random(name), []
+    numbers, late, after, keys = random.Random(name), Late(), Late(), Late()
     for _ in range(STOPS):
         clock = Clock(numbers.uniform(0.0, seconds))
         call(clock)
-        late.append(time.monotonic() - clock.end)
-    late = sorted(late)
-    row = (name, seconds, 1000 * whole.longest, 1000 * late[len(late) // 2], 1000 * late[-1])
-    text = "%-14s %7.2f s, progress each %6.0f ms at most, back after %6.0f ms, at most %6.0f ms"
-    print(text % row, flush=True)
+        late.add(time.monotonic() - clock.end)
+        after.add(*clock.since())
+        pressed = interrupted(call, numbers.uniform(0.0, seconds))
+        if pressed is not None:
+            keys.add(*pressed)
+    row = (name, seconds, 1000 * whole.longest, 1000 * whole.most, late, after, keys if keys.times else "-")
+    text = "%-12s %6.2f s; progress each %4.0f ms at most (processor %4.0f); back after a stop %s, "
+    print((text + "of that after the answer %s; after Ctrl-C %s") % row, flush=True)
 
 
 def main():
