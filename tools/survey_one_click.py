@@ -83,7 +83,7 @@ def judged(operation):
 def worth_of(plans):
     """(per cent of the area, per cent of the dimples, quality) of PlannedTextures, as judged() says; None
     where one of them is steep."""
-    if any(p.asked.mapping != "Projected" and assessment.steepest(p) > assessment.STEEP for p in plans):
+    if any(p.asked.mapping != "Projected" and cells.steepest(p) > assessment.STEEP for p in plans):
         return None
     results = [
         patchmill.simulate(plan, machine=plan.machine, window=window)

@@ -26,7 +26,6 @@ from patchmill.system.stops import stoppable
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import place_texture, plan_texture
 
-
 WINDOW = 8  # spacings along the side of what is simulated
 MANY_TURNS = 3 * SMALL  # of the spindle, above which the whole is not simulated
 SQUARES, FEW_SQUARES = 12, 5  # of the whole, where it is not; fewer where the spindle turns often
@@ -82,19 +81,26 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
         if k == first and made[k].quality < GOOD:
             break
     found.patches = [made[k] for k in sorted(made)]
-    for share in STEEPER if not alike and _flattest_is_bad(found.patches) else ():
-        number = _middle(parts[0][int((1.0 - share) * len(parts[0])) :], neighbours)
-        steeper = _patch(simulate, given, placed, number, float(np.degrees(tilts[number])))
-        if steeper.quality >= GOOD:
-            steeper.fraction = share * found.patches[0].fraction
-            found.patches[0].fraction -= steeper.fraction
-            found.patches.insert(1, steeper)
-            break
+    if _flattest_is_bad(found.patches):
+        _look_steeper(simulate, given, placed, tilts, parts[0], found.patches)
     rates = [patch.seconds_per_dimple for patch in found.patches if patch.seconds_per_dimple]
     found.seconds = float(np.mean(rates)) * found.dimples if rates else 0.0
     if whole and found.remains_good:
         found.whole, found.whole_area = _whole(simulate, given)
     return found
+
+
+def _look_steeper(simulate, given, placed, tilts, flattest, patches):
+    """Puts a further PatchQuality into `patches`, of the steepest of the `flattest` dimples, if it is good."""
+    neighbours = _neighbours(placed, placed.dimples.states == core.DimpleState.CUT)
+    for share in STEEPER:
+        number = _middle(flattest[int((1.0 - share) * len(flattest)) :], neighbours)
+        steeper = _patch(simulate, given, placed, number, float(np.degrees(tilts[number])))
+        if steeper.quality >= GOOD:
+            steeper.fraction = share * patches[0].fraction
+            patches[0].fraction -= steeper.fraction
+            patches.insert(1, steeper)
+            return
 
 
 def first_patch(simulate, given, placed, progress=None):
@@ -144,7 +150,7 @@ def _whole(simulate, given):
     relief over the plane."""
     try:
         plan = plan_texture(given)
-        if given.mapping != "Projected" and steepest(plan) > STEEP:
+        if given.mapping != "Projected" and cells.steepest(plan) > STEEP:
             return None, None
         verdict = plan.pacing.verdict
         if verdict is not None and not given.keeps_phase.polygons and verdict.holding != "holds":
@@ -154,9 +160,9 @@ def _whole(simulate, given):
             return None, None
         turns = plan.path.statistics()["timed_seconds"] * given.spindle.speed
         if count <= SMALL and turns <= MANY_TURNS:
-            return _quality_in(simulate, plan, [None])
+            return cells.quality_in(simulate, plan, [None])
         often = turns / count > MANY_TURNS / SMALL
-        return _quality_in(simulate, plan, squares(plan, FEW_SQUARES if often else SQUARES))
+        return cells.quality_in(simulate, plan, squares(plan, FEW_SQUARES if often else SQUARES))
     except InputError:
         return 0.0, 0.0
 
@@ -172,20 +178,6 @@ def squares(plan, most):
     chosen = np.argsort((GOLDEN * np.arange(len(there))) % 1.0)[:most]  # in no step that meets one side only
     corners = low + there[chosen] * sides
     return [(tuple(corner), tuple(corner + sides)) for corner in corners]
-
-
-def _quality_in(simulate, plan, windows):
-    """(quality, part of the area that is as planned) of all that lies in some windows of a plan."""
-    results = [simulate(plan, machine=plan.machine, window=window) for window in windows]
-    marks = [len(result.found["dimple"]) + len(result.found["extra"]) for result in results]
-    quality = np.average([result.quality for result in results], weights=marks)
-    return float(quality), cells.good_share(results)
-
-
-def steepest(plan):
-    """Angle [rad] of the milled dimples' normals to where the texture is projected from."""
-    normals = plan.dimples.normals[plan.dimples.states == core.DimpleState.CUT]
-    return float(np.arccos(np.clip(-(normals @ np.asarray(plan.plane.direction)).max(), -1.0, 1.0)))
 
 
 def _looked_at(placed, tilts, count):

@@ -5,6 +5,7 @@ is nearest to it. So a row of marks along a border spoils the cells of the outer
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import _patchmill as core
 import numpy as np
 
 from patchmill.advice.found import GOOD
@@ -41,3 +42,17 @@ def good_share(results):
         good += float(area[good_cells(result)].sum())
         total += float(area.sum())
     return good / total if total else float("nan")
+
+
+def quality_in(simulate, plan, windows):
+    """(quality, part of the area that is as planned) of all that lies in some windows of a plan."""
+    results = [simulate(plan, machine=plan.machine, window=window) for window in windows]
+    marks = [len(result.found["dimple"]) + len(result.found["extra"]) for result in results]
+    quality = np.average([result.quality for result in results], weights=marks)
+    return float(quality), good_share(results)
+
+
+def steepest(plan):
+    """Angle [rad] of the milled dimples' normals to where the texture is projected from."""
+    normals = plan.dimples.normals[plan.dimples.states == core.DimpleState.CUT]
+    return float(np.arccos(np.clip(-(normals @ np.asarray(plan.plane.direction)).max(), -1.0, 1.0)))
