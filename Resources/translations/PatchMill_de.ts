@@ -4096,6 +4096,18 @@ Spindel {:.0f}°</translation>
         <source>{}, tool diameter {}</source>
         <translation>{}, Werkzeugdurchmesser {}</translation>
     </message>
+<message>
+        <source>{} dimples in one patch</source>
+        <translation>{} Mulden in einem Feld</translation>
+    </message>
+    <message>
+        <source>A patch of side {} is larger than the faces ({} x {} mm): its side is made {}.</source>
+        <translation>Ein Feld mit der Seite {} ist größer als die Flächen ({} x {} mm): Seine Seite wird {}.</translation>
+    </message>
+    <message>
+        <source>A patch of side {} is larger than the faces ({} x {} mm): its sides are made {} and {}.</source>
+        <translation>Ein Feld mit der Seite {} ist größer als die Flächen ({} x {} mm): Seine Seiten werden {} und {}.</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

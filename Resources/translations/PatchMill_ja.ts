@@ -4096,6 +4096,18 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>{}, tool diameter {}</source>
         <translation>{}、工具直径 {}</translation>
     </message>
+<message>
+        <source>{} dimples in one patch</source>
+        <translation>一つのパッチにディンプル {} 個</translation>
+    </message>
+    <message>
+        <source>A patch of side {} is larger than the faces ({} x {} mm): its side is made {}.</source>
+        <translation>辺 {} のパッチは面 ({} x {} mm) より大きいため、辺を {} にします。</translation>
+    </message>
+    <message>
+        <source>A patch of side {} is larger than the faces ({} x {} mm): its sides are made {} and {}.</source>
+        <translation>辺 {} のパッチは面 ({} x {} mm) より大きいため、辺を {} と {} にします。</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

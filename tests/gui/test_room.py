@@ -1,5 +1,6 @@
-"""No control of any panel lies past what its dock shows, nothing scrolls sideways, no label shows its key's
-ampersand: at 1024 by 768, in a dock that was made narrow before, in every language, all folds open.
+"""No control of any panel lies past what its dock shows, or is lower than its sentence or number takes,
+nothing scrolls sideways, no label shows its key's ampersand: at 1024 by 768, in a dock that was made narrow
+before, in every language, all folds open.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -67,6 +68,19 @@ def ampersands(around):
     return [each.text() for each in labels if each.text().startswith("&") and each.buddy() is None]
 
 
+def too_low(around):
+    """(text or name, height, what it takes) of labels and fields that are cut off at their lower side."""
+    found = []
+    for each in around.findChildren(QtGui.QWidget):
+        if each.isVisible() and isinstance(each, (QtGui.QLabel, QtGui.QAbstractSpinBox, QtGui.QComboBox)):
+            label = isinstance(each, QtGui.QLabel)
+            wraps = label and each.wordWrap() and each.text()
+            takes = each.heightForWidth(each.width()) if wraps else each.minimumSizeHint().height()
+            if each.height() < takes:
+                found.append((each.text() if label else each.objectName(), each.height(), takes))
+    return found
+
+
 class Room(driver.BlockTest):
     def setUp(self):
         window = FreeCADGui.getMainWindow()
@@ -86,10 +100,11 @@ class Room(driver.BlockTest):
     def check(self, what):
         driver.rest(0.6)
         # where the machine is busy
-        driver.wait(lambda: not (cut_off(dock()) or scrolling_sideways(dock())), 20)
+        driver.wait(lambda: not (cut_off(dock()) or scrolling_sideways(dock()) or too_low(dock())), 20)
         self.assertEqual(cut_off(dock()), [], what)
         self.assertEqual(scrolling_sideways(dock()), [], what)
         self.assertEqual(ampersands(dock()), [], what)
+        self.assertEqual(too_low(dock()), [], what)
         self.assertLess(dock().width(), WIDEST, what)
 
     def other_textures(self, language):
@@ -132,6 +147,11 @@ class Room(driver.BlockTest):
             group.heading.setChecked(True)
         self.check(language + ", texture, all")
         panel.page.advanced.heading.setChecked(False)
+        driver.set_quantity(panel, "Spacing", 4.0)
+        self.assertTrue(driver.wait(lambda: panel.error is not None, 60))
+        self.check(language + ", texture, refused")
+        driver.set_quantity(panel, "Spacing", 0.5)
+        self.assertTrue(driver.ready(panel))
         driver.accept(panel)
         for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):
             self.narrow()

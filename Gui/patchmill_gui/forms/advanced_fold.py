@@ -51,6 +51,5 @@ class AdvancedFold(Group):
         self.form.search_only(found if words else None)
         for group in self.inner.values():
             own = [name for name, row in self.form.rows.items() if row.group is group]
-            group.setVisible(not words or any(name in found for name in own))
             if words and any(name in found for name in own):
                 group.heading.setChecked(True)

@@ -24,7 +24,7 @@ from patchmill_gui.forms.property_rows import (
     VectorRow,
     WholeRow,
 )
-from patchmill_gui.forms.widgets import Notice, guard_editors, let_shrink, translate
+from patchmill_gui.forms.widgets import Notice, WrappingLabel, guard_editors, let_shrink, translate
 
 
 class Group(QtGui.QWidget):
@@ -80,8 +80,7 @@ class PropertyForm(QtCore.QObject):
     def _add(self, row, name, group, tip):
         if group not in self.groups:
             self.groups[group] = Group(group, group not in self.closed)
-        label = QtGui.QLabel(translate("PatchMill", label_of(name)))
-        label.setWordWrap(True)
+        label = WrappingLabel(translate("PatchMill", label_of(name)))
         for widget in (label, row.editor):
             widget.setToolTip(translate("App::Property", tip))
         row.editor.setObjectName(name)
@@ -130,6 +129,10 @@ class PropertyForm(QtCore.QObject):
             if row.editor.isHidden() == on:
                 row.editor.setVisible(on)
                 row.label.setVisible(on)
+        for group in self.groups.values():  # a heading with nothing below it says nothing
+            empty = all(row.editor.isHidden() for row in self.rows.values() if row.group is group)
+            if empty != group.isHidden():
+                group.setHidden(empty)
 
     def show_error(self, error):
         """Puts the sentence of an InputError below its field; None clears all, and so does an exception that

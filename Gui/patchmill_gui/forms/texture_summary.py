@@ -44,9 +44,11 @@ def _counts(counts):
 def placed_summary(placed):
     """Of a PlacedTexture."""
     counts = dict(placed.dimples.counts())
-    head = translate("PatchMill", "{} dimples in {} patches").format(
-        grouped(counts["cut"]), grouped(len(placed.free or placed.division))
-    )
+    patches = len(placed.free or placed.division)
+    head = translate("PatchMill", "{} dimples in {} patches")
+    if patches == 1:
+        head = translate("PatchMill", "{} dimples in one patch")
+    head = head.format(grouped(counts["cut"]), grouped(patches))
     remarks = [html.escape(in_user_units(translated(remark))) for remark in placed.remarks]
     lines = ["<b>%s</b>" % head, _counts(counts), *remarks]
     return "<br>".join(lines)

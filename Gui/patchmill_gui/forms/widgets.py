@@ -148,6 +148,27 @@ def button_number(buttons):
     return int(getattr(buttons, "value", buttons))
 
 
+class WrappingLabel(QtGui.QLabel):
+    """A label that breaks its text at the width that it gets, and is as high as that takes: scroll areas do
+    not ask what they hold how high it is at a width, and give rows of two lines and sentences too little."""
+
+    def __init__(self, text=""):
+        super().__init__(text)
+        self.setWordWrap(True)
+
+    def setText(self, text):
+        super().setText(text)
+        if self.isVisible():
+            self._take_height()
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        self._take_height()
+
+    def _take_height(self):
+        self.setMinimumHeight(max(0, self.heightForWidth(self.width())) if self.text() else 0)
+
+
 def wrapping_label(text=""):
     """A label that breaks its text at whatever width the panel has, and asks for none itself."""
     label = QtGui.QLabel(text)
@@ -164,13 +185,12 @@ def plain_label(text=""):
     return label
 
 
-class Notice(QtGui.QLabel):
+class Notice(WrappingLabel):
     """A sentence in white on a colour, hidden while there is none. Names of a document's objects are no
     markup in it."""
 
     def __init__(self, colour=ERROR_COLOUR):
         super().__init__()
-        self.setWordWrap(True)
         self.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
         self.setTextFormat(QtCore.Qt.PlainText)
         self.setStyleSheet("color: white; background: %s; padding: 3px; border-radius: 3px" % colour)

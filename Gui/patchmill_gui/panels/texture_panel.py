@@ -21,7 +21,7 @@ from patchmill_gui.forms.advisor_box import AdvisorBox
 from patchmill_gui.forms.idle_properties import idle_properties
 from patchmill_gui.forms.resources import path
 from patchmill_gui.forms.texture_summary import placed_summary, planned_summary
-from patchmill_gui.forms.widgets import Notice, ProgressBar, one_shot, translate
+from patchmill_gui.forms.widgets import Notice, ProgressBar, WrappingLabel, one_shot, translate
 from patchmill_gui.panels.operation_base import OperationPage, OperationPanel
 from patchmill_gui.panels.texture_advising import Advising
 from patchmill_gui.views.best_speed_box import BestSpeedBox
@@ -90,8 +90,7 @@ class TexturePage(OperationPage):
             grid.addWidget(check, place // 2, place % 2)
             self.previews[part] = check
         layout.addLayout(grid)
-        self.summary = QtGui.QLabel()
-        self.summary.setWordWrap(True)
+        self.summary = WrappingLabel()
         self.summary.setTextFormat(QtCore.Qt.RichText)
         layout.addWidget(self.summary)
         self.message = Notice()

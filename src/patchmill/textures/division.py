@@ -114,14 +114,16 @@ def _fitting(given, room, remarks):
     if core.two_sided(given.patch_shape):
         fitting = _greatest(side, 1, lambda n: _fits(given, n, 1, room)[0])
         across = _greatest(across or side, 1, lambda n: _fits(given, 1, n, room)[1])
-        text = "%d x %d" % (fitting, across)
+        remarks.append(
+            "A patch of side %d is larger than the faces (%.4g x %.4g mm): its sides are made %d and %d."
+            % (side, *room, fitting, across)
+        )
     else:
         fitting = _greatest(side, least, lambda n: _fits(given, n, 0, room).all())
-        text = "side %d" % fitting
-    remarks.append(
-        "A patch of side %d is larger than the faces (%.4g x %.4g mm): patches are made smaller, %s."
-        % (side, *room, text)
-    )
+        remarks.append(
+            "A patch of side %d is larger than the faces (%.4g x %.4g mm): its side is made %d."
+            % (side, *room, fitting)
+        )
     return _pattern(given, fitting, across)
 
 
