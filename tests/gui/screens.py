@@ -142,8 +142,8 @@ def textures(sheet, part):
     """The panels of new textures; the operation that is kept."""
     for name in TEXTURES:
         operation, panel = driver.begin_texture(part, "PatchMill_" + name)
-        driver.wait(lambda: not panel.advising.assessing.busy, 200)
-        if name == TEXTURES[0]:
+        if name == TEXTURES[0]:  # what the head says then is seen once
+            driver.wait(lambda: not panel.advising.assessing.busy, 200)
             driver.wait(lambda: not panel.advising.helping.busy, 200)
         sheet.take(name, dock())
         if name == TEXTURES[0]:
