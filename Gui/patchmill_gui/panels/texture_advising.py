@@ -15,10 +15,12 @@ from PySide import QtCore
 
 from patchmill_gui.fields import unit_text
 from patchmill_gui.fields.known_sentences import translated_error
-from patchmill_gui.forms.widgets import translate
+from patchmill_gui.forms.widgets import one_shot, translate
 from patchmill_gui.panels.texture_head import Head
 from patchmill_gui.views.worst_relief import assess_and_draw, first_relief
 from patchmill_gui.work.background import Background
+
+LOOK_AFTER_MS = 40  # the dimples are to be painted first
 
 assess = assessment.with_simulation(simulate)
 choose = partial(choice.choose, assess)
@@ -65,13 +67,14 @@ class Advising(QtCore.QObject):
         self.choosing.finished.connect(self._chosen)
         # a method: PySide would hold a function, and by it this object, for good
         self.choosing.failed.connect(self._not_chosen)
+        self.look_timer = one_shot(self._look)
         self.looking.finished.connect(self.relief)
         self.looking.failed.connect(self._failed)
         self.assessing.finished.connect(self._assessed)
         self.assessing.failed.connect(self._failed)
         self.helping.finished.connect(self._helped)
         self.notes = list(getattr(obj.Proxy, "notes", ()))
-        self._planned = self._before = self._choice = self._chosen_for = None
+        self._placed = self._planned = self._before = self._choice = self._chosen_for = None
         self.following = False  # the values of a new texture follow the others until the user edits them
         self.applying = False  # its own values are being shown: no edit of the user's
         self._controller, self._cutting = None, {}  # feed and spindle of a controller before a choice
@@ -127,14 +130,24 @@ class Advising(QtCore.QObject):
 
     def outdate(self):
         """What the head says is no longer so."""
-        for work in (self.looking, self.assessing, self.helping):
+        self._stop_looking()
+        for work in (self.assessing, self.helping):
             work.cancel()
         if not self.choosing.busy:
             self.head.busy(translate("PatchMill", "Computing …"))
 
     def look(self, placed):
-        """Begins to draw the relief of the flattest place of a PlacedTexture."""
+        """Draws the relief of the flattest place of a PlacedTexture, soon."""
+        self._placed = placed
+        self.look_timer.start(LOOK_AFTER_MS)
+
+    def _look(self):
+        placed = self._placed
         self.looking.start(lambda progress: first_relief(placed.asked, progress, placed))
+
+    def _stop_looking(self):
+        self.look_timer.stop()
+        self.looking.cancel()
 
     def assess(self, planned):
         """Begins to find out how good a PlannedTexture is."""
@@ -154,7 +167,7 @@ class Advising(QtCore.QObject):
         found, displays = made or (None, {})
         if found is None or self._planned is None:
             return
-        self.looking.cancel()  # the worst place is known
+        self._stop_looking()  # the worst place is known
         self.drawn = (self._planned.asked, displays)
         self.relief.emit(displays)
         seconds = self._planned.seconds
@@ -232,6 +245,7 @@ class Advising(QtCore.QObject):
         return False
 
     def stop(self):
-        for work in (self.choosing, self.looking, self.assessing, self.helping):
+        self._stop_looking()
+        for work in (self.choosing, self.assessing, self.helping):
             work.cancel()
         self.head.unpin()
