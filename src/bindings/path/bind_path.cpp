@@ -49,6 +49,18 @@ ToolPath make_path(const Tool& tool, const Spindle& spindle, const Vec3& start, 
   return path;
 }
 
+ToolPath with_dimples(ToolPath path, const std::vector<std::int32_t>& dimples) {
+  if (dimples.size() != path.moves.size())
+    throw InputError("dimples", std::to_string(dimples.size()) + " numbers",
+                     "give one for each of " + std::to_string(path.moves.size()) + " moves.");
+  for (std::size_t i = 0; i < dimples.size(); ++i) {
+    if (dimples[i] < 0 && dimples[i] != kNoDimple)
+      throw InputError("dimples", std::to_string(dimples[i]), "give 0 or more, or NO_DIMPLE.");
+    path.moves[i].dimple = dimples[i];
+  }
+  return path;
+}
+
 py::dict statistics_dict(const ToolPath& path) {
   const PathStatistics s = statistics(path);
   py::dict d;
@@ -193,6 +205,9 @@ void bind_path(py::module_& m) {
         "upright tool, "
         "a MoveKind for each, spindle turns or NaN. Raises InputError naming path, axes, kind or "
         "turns.");
+  m.def("with_dimples", &with_dimples, py::arg("path"), py::arg("dimples"),
+        "The path with the number of the dimple on which each move ends, or NO_DIMPLE. Raises "
+        "InputError naming dimples.");
 }
 
 }  // namespace patchmill

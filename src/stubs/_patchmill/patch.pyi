@@ -154,6 +154,9 @@ def cover_lattice(pattern: PatchPattern, lattice: SurfaceLattice, low: numpy.typ
 def curve_mask(loops: list[numpy.typing.ArrayLike]) -> Mask:
     """1 inside closed loops of (n, 2) points [mm], 0 outside and in loops within loops. Raises InputError naming Curves."""
     ...
+def dimples_at(positions: numpy.typing.ArrayLike, normals: numpy.typing.ArrayLike, lattice: numpy.typing.ArrayLike, patches: list[int], states: list[int]) -> Dimples:
+    """Dimples in milling order at (n, 3) positions [mm] with normals of any length out of the material, (n, 2) whole lattice coordinates, the number of each one's patch, from 0, and its DimpleState. Raises InputError naming positions, normals, lattice, patches or states."""
+    ...
 def drop_slivers(dimples: Dimples, least: int) -> None:
     """Leaves out the dimples of patches that have fewer than `least`. Raises InputError naming MinimumDimples."""
     ...

@@ -123,3 +123,6 @@ class ToolPath:
 def make_path(tool: Tool, spindle: Spindle, start: numpy.typing.ArrayLike, tips: numpy.typing.ArrayLike, axes: typing.Optional[numpy.typing.ArrayLike], kinds: list[int], turns: list[float]) -> ToolPath:
     """ToolPath from arrays as ToolPath gives them: tips [mm], axes of any length or None for an upright tool, a MoveKind for each, spindle turns or NaN. Raises InputError naming path, axes, kind or turns."""
     ...
+def with_dimples(path: ToolPath, dimples: list[int]) -> ToolPath:
+    """The path with the number of the dimple on which each move ends, or NO_DIMPLE. Raises InputError naming dimples."""
+    ...
