@@ -46,9 +46,10 @@ class Machine:
     period: float = 1e-3          # servo period, s
     speed_ratio: float = 1.0      # true spindle speed / commanded speed
     travel: float = 1000.0        # ± mm
-    kinematics: str = 'xyz'       # or xyzac, xyzbc: tables, which start without TCP
+    kinematics: str = 'xyz'       # or xyza; or xyzac, xyzbc: tables, which start without TCP
     rotary_acceleration: float = 20000.0  # degrees/s²
     rotary_velocity: float = 1000.0       # degrees/s
+    rotary_travel: float = 1e5            # ± degrees
     offsets: dict = dataclasses.field(default_factory=dict)  # {'G55': (x, y, z)}, mm; others are zero
 
     @property
@@ -65,7 +66,7 @@ class Log:
     line: numpy.ndarray   # program line
     starved: int          # how often the motion queue ran empty
     joints: numpy.ndarray = None  # (n, 3) linear joints, mm: the tip itself on three axes
-    rotary: numpy.ndarray = None  # (n, 2) rotary joints, degrees; None on three axes
+    rotary: numpy.ndarray = None  # (n, 1 or 2) rotary joints, degrees; None on three axes
 
     def save(self, path):
         columns = numpy.column_stack([self.time, self.tip, self.turns, self.line])
@@ -98,19 +99,23 @@ def ini(machine):
                  'MAX_LINEAR_ACCELERATION': 2 * machine.acceleration, 'NO_FORCE_HOMING': 1},
         'SPINDLE_0': {'RPM_PER_SECOND': 5000, 'SPEED_RATIO': machine.speed_ratio},
     }
-    rotary = {'MIN_LIMIT': -1e5, 'MAX_LIMIT': 1e5, 'MAX_VELOCITY': machine.rotary_velocity,
-              'MAX_ACCELERATION': machine.rotary_acceleration}
+    rotary = {'MIN_LIMIT': -machine.rotary_travel, 'MAX_LIMIT': machine.rotary_travel,
+              'MAX_VELOCITY': machine.rotary_velocity, 'MAX_ACCELERATION': machine.rotary_acceleration}
     for number, letter in enumerate(machine.letters):
         sections['AXIS_' + letter] = axis if letter in 'XYZ' else rotary
         sections['JOINT_%d' % number] = joint if letter in 'XYZ' else dict(joint, **rotary, TYPE='ANGULAR')
     extra = {}
-    if machine.kinematics != 'xyz':
+    if machine.kinematics == 'xyza':
+        sections['KINS'] = {'KINEMATICS': 'trivkins coordinates=XYZA', 'JOINTS': 4}
+        extra = {'HAL': ['HALFILE = rotary_a.hal']}
+    elif machine.kinematics != 'xyz':
         sections.update(table.sections(machine.kinematics))
-        sections['SAMPLER']['CFG'] += 'ff'
+        extra = {'HAL': ['HALFILE = rotary.hal'], 'RS274NGC': table.REMAPS}
+    if machine.kinematics != 'xyz':
+        sections['SAMPLER']['CFG'] += 'f' * (len(machine.letters) - 3)
         sections['TRAJ'].update(MAX_ANGULAR_VELOCITY=2 * machine.rotary_velocity,
                                 DEFAULT_ANGULAR_VELOCITY=machine.rotary_velocity,
                                 MAX_ANGULAR_ACCELERATION=2 * machine.rotary_acceleration)
-        extra = {'HAL': ['HALFILE = rotary.hal'], 'RS274NGC': table.REMAPS}
     lines = []
     for name, entries in sections.items():
         lines += ['[%s]' % name] + ['%s = %s' % entry for entry in entries.items()]
@@ -134,7 +139,7 @@ def prepare(folder, program, machine):
     (folder / 'machine.tbl').write_text(tools, encoding='utf-8')
     (folder / 'machine.var').write_text(parameters(machine.offsets), encoding='utf-8')
     table.write_subroutines(folder)
-    for name in ('machine.hal', 'rotary.hal', 'driver.py'):
+    for name in ('machine.hal', 'rotary.hal', 'rotary_a.hal', 'driver.py'):
         shutil.copy(HERE / name, folder / name)
     (folder / 'driver.py').chmod(0o755)
     shutil.copy(program, folder / 'program.ngc')
@@ -168,7 +173,7 @@ def read_samples(path, machine):
             if text.startswith('overrun'):
                 raise TooFast('the log has a gap')
             row = text.split()
-            if len(row) == (7 if machine.kinematics == 'xyz' else 9):
+            if len(row) == 4 + len(machine.letters):
                 rows.append(row)
     if len(rows) < 2:
         raise TooFast('nothing was logged')
@@ -182,7 +187,7 @@ def read_samples(path, machine):
     starved = int(numpy.sum(numpy.diff(settled) > 0))
     joints, rotary, tip = samples[:, 1:4], None, samples[:, 1:4]
     if machine.kinematics != 'xyz':
-        rotary = samples[:, 7:9]
+        rotary = samples[:, 7:]
         tip = table.tip_in_work(machine.kinematics, joints, rotary)
     time = (samples[:, 0] - samples[0, 0]) * machine.period
     return Log(time, tip, turns, samples[:, 5], starved, joints, rotary)

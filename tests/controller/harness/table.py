@@ -57,7 +57,10 @@ def work_to_housing(kinematics, rotary):
 
 
 def tip_in_work(kinematics, linear, rotary):
-    """(n, 3) tool tip in the work frame [mm] from joints: (n, 3) mm and (n, 2) degrees."""
+    """(n, 3) tool tip in the work frame [mm] from joints: (n, 3) mm and degrees: (n, 2), or of xyza (n, 1)
+    about the machine's X."""
+    if kinematics == 'xyza':
+        return numpy.einsum('nij,nj->ni', rotation(0, -numpy.radians(rotary[:, 0])), linear)
     tilt, c = numpy.radians(rotary[:, 0]), numpy.radians(rotary[:, 1])
     point = numpy.array(POINT)
     side = numpy.array([0.0, OFFSET, OFFSET_Z] if kinematics == 'xyzac' else [OFFSET, 0.0, OFFSET_Z])
