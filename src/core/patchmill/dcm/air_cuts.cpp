@@ -72,7 +72,8 @@ RemainingStock::Samples RemainingStock::whole(std::size_t brick) const {
   return samples;
 }
 
-bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, const Tool& cutter) {
+bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, const Tool& cutter,
+                         std::vector<Vec3>* taken) {
   const voxel::GridFrame& frame = grid_.frame;
   const Swath tool(centre, axis, cutter);
   // up to where the cylinder leaves the grid's box
@@ -97,13 +98,13 @@ bool RemainingStock::cut(const Vec3& centre, const Vec3& axis, const Tool& cutte
         if (brick == voxel::kNoBrick || emptied_[brick]) continue;
         const Vec3 middle = frame.origin + frame.pitch * voxel::kBrickSide *
                                                (p.cast<double>() + Vec3::Constant(0.5));
-        if (tool.holds(middle, half_diagonal)) found |= cut_brick(brick, lo, hi, tool);
+        if (tool.holds(middle, half_diagonal)) found |= cut_brick(brick, lo, hi, tool, taken);
       }
   return found;
 }
 
 bool RemainingStock::cut_brick(std::size_t brick, const voxel::Cell& lo, const voxel::Cell& hi,
-                               const Swath& tool) {
+                               const Swath& tool, std::vector<Vec3>* taken) {
   const voxel::GridFrame& frame = grid_.frame;
   const double half_diagonal = 0.5 * std::sqrt(3.0) * frame.pitch;
   if (!left_[brick]) left_[brick] = std::make_unique<Samples>(whole(brick));
@@ -118,7 +119,9 @@ bool RemainingStock::cut_brick(std::size_t brick, const voxel::Cell& lo, const v
     for (int bit = 0; bit < 64; ++bit) {
       if (!(left[i] >> bit & 1)) continue;
       const Vec3 sub(bit % kSub + 0.5, bit / kSub % kSub + 0.5, bit / (kSub * kSub) + 0.5);
-      if (!tool.holds(low + frame.pitch / kSub * sub, 0.0)) continue;
+      const Vec3 sample = low + frame.pitch / kSub * sub;
+      if (!tool.holds(sample, 0.0)) continue;
+      if (taken) taken->push_back(sample);
       left[i] &= ~(std::uint64_t{1} << bit);
       found = true;
     }
@@ -137,7 +140,11 @@ double RemainingStock::volume() const {
     const Samples left = left_[brick] ? *left_[brick] : whole(brick);
     for (const std::uint64_t bits : left) samples += double(std::bitset<64>(bits).count());
   }
-  return samples * std::pow(grid_.frame.pitch / kSub, 3);
+  return samples * sample_volume();
+}
+
+double RemainingStock::sample_volume() const {
+  return std::pow(grid_.frame.pitch / kSub, 3);
 }
 
 std::size_t RemainingStock::opened() const {

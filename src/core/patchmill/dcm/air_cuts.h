@@ -24,7 +24,12 @@ class RemainingStock {
 
   /// Takes away what the cutter holds with the tool's centre (tool.h) at a place [mm], its flank going on upwards.
   /// Returns whether anything was there.
-  bool cut(const Vec3& centre, const Vec3& axis, const Tool& tool);
+  /// `taken`: the samples that were there are added to it [mm].
+  bool cut(const Vec3& centre, const Vec3& axis, const Tool& tool,
+           std::vector<Vec3>* taken = nullptr);
+
+  /// Volume that a sample stands for [mm^3].
+  double sample_volume() const;
 
   /// Volume of the samples that are left [mm^3].
   double volume() const;
@@ -36,8 +41,8 @@ class RemainingStock {
   struct Swath;
   using Samples = std::array<std::uint64_t, voxel::kBrickCells>;  // per cell; bit x + 4 y + 16 z
   Samples whole(std::size_t brick) const;
-  bool cut_brick(std::size_t brick, const voxel::Cell& lo, const voxel::Cell& hi,
-                 const Swath& tool);
+  bool cut_brick(std::size_t brick, const voxel::Cell& lo, const voxel::Cell& hi, const Swath& tool,
+                 std::vector<Vec3>* taken);
 
   const voxel::VoxelGrid& grid_;
   std::vector<std::unique_ptr<Samples>> left_;  // per stored brick; null: whole, or emptied

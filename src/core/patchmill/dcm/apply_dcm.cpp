@@ -176,7 +176,30 @@ class Divider {
   ToolPath out_;
 };
 
-// Slows moves so that the speed gained or lost over a move, v^2 - u^2, stays below 2 a L.
+void check(const ToolPath& path, const voxel::VoxelGrid& grid, const FeedField* feed,
+           const PostureField* posture, const DcmOptions& options) {
+  if (feed) require_over(grid, *feed);
+  if (posture) require_over(grid, *posture);
+  require_positive("tool radius", path.tool.radius, "mm");
+  require_valid(path.tool);
+  if (posture) require_ball(path.tool, "a path is tilted");
+  require_positive("spindle speed", path.spindle.speed, "1/s");
+  require_positive("feed tolerance", options.feed_tolerance, "mm/s");
+  require_positive("axis tolerance", options.axis_tolerance.degrees(), "degrees");
+  require_positive("ball centre tolerance", options.centre_tolerance, "mm");
+  require_positive("shortest move", options.shortest_move, "mm");
+  if (!(options.axis_rate > 0.0)) require_positive("axis rate", options.axis_rate, "rad/s");
+  if (!(options.acceleration > 0.0))
+    require_positive("acceleration", options.acceleration, "mm/s2");
+  for (const Move& move : path.moves)
+    if (feed && move.dimple != kNoDimple)
+      throw InputError(
+          "base operation", "a texture path",
+          "take only the posture from the voxel model: a texture's feed is its timing.");
+}
+
+}  // namespace
+
 void limit_acceleration(ToolPath& path, double acceleration) {
   if (!std::isfinite(acceleration)) return;
   const std::size_t n = path.moves.size();
@@ -201,30 +224,6 @@ void limit_acceleration(ToolPath& path, double acceleration) {
       path.moves[i].turns =
           std::max(path.moves[i].turns, path.spindle.speed * length[i] / speed[i]);
 }
-
-void check(const ToolPath& path, const voxel::VoxelGrid& grid, const FeedField* feed,
-           const PostureField* posture, const DcmOptions& options) {
-  if (feed) require_over(grid, *feed);
-  if (posture) require_over(grid, *posture);
-  require_positive("tool radius", path.tool.radius, "mm");
-  require_valid(path.tool);
-  if (posture) require_ball(path.tool, "a path is tilted");
-  require_positive("spindle speed", path.spindle.speed, "1/s");
-  require_positive("feed tolerance", options.feed_tolerance, "mm/s");
-  require_positive("axis tolerance", options.axis_tolerance.degrees(), "degrees");
-  require_positive("ball centre tolerance", options.centre_tolerance, "mm");
-  require_positive("shortest move", options.shortest_move, "mm");
-  if (!(options.axis_rate > 0.0)) require_positive("axis rate", options.axis_rate, "rad/s");
-  if (!(options.acceleration > 0.0))
-    require_positive("acceleration", options.acceleration, "mm/s2");
-  for (const Move& move : path.moves)
-    if (feed && move.dimple != kNoDimple)
-      throw InputError(
-          "base operation", "a texture path",
-          "take only the posture from the voxel model: a texture's feed is its timing.");
-}
-
-}  // namespace
 
 ToolPath apply_dcm(const ToolPath& path, const voxel::VoxelGrid& grid, const FeedField* feed,
                    const PostureField* posture, const DcmOptions& options,

@@ -54,6 +54,10 @@ ToolPath apply_dcm(const ToolPath& path, const voxel::VoxelGrid& grid, const Fee
                    const PostureField* posture, const DcmOptions& options = {},
                    std::vector<std::int64_t>* source = nullptr);
 
+/// Slows timed moves so that the speed gained or lost over one, v^2 - u^2, stays below twice the acceleration [mm/s^2]
+/// times its length; infinite: as they are.
+void limit_acceleration(ToolPath& path, double acceleration);
+
 /// How rough a path is to the machine: the largest changes from one timed move to the next.
 struct PathSteps {
   double feed = 0.0;  ///< [mm/s], of the ball centre, where it goes straight on (within 10 degrees)
