@@ -40,6 +40,7 @@ void bind_scene(py::module_& m);
 void bind_solids(py::module_& m);
 void bind_dcm(py::module_& m);
 void bind_dcm_path(py::module_& m);
+void bind_load(py::module_& m);
 void bind_voxel_attributes(py::module_& m);
 void bind_marks(py::module_& m);
 void bind_checks(py::module_& m);

@@ -99,7 +99,7 @@ PYBIND11_MODULE(_patchmill, m) {
           {bind_matsuda, bind_sync, bind_postures});
   subject(m, "scene", "What displays show.", {bind_scene});
   subject(m, "dcm", "Dynamic contour milling and copy milling.",
-          {bind_solids, bind_dcm, bind_dcm_path});
+          {bind_solids, bind_dcm, bind_dcm_path, bind_load});
   subject(m, "voxel", "What voxels hold: materials, feeds, postures, kinds.",
           {bind_voxel_attributes});
   subject(m, "marks", "Marks that a moved cutter leaves, and how they lie.", {bind_marks});

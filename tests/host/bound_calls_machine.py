@@ -73,6 +73,9 @@ call("apply_dcm", path=t.copy_path, grid=t.grid, feed=t.feed, posture=t.posture,
      axis_tolerance=0.01,
      axis_rate=1.0, acceleration=100.0)
 call("hurry_in_air", path=t.copy_path, grid=t.grid, feed=50.0)
+call("load_along", path=t.copy_path, grid=t.grid, specific=2000.0, exponent=0.25, normal=0.3)
+call("limit_load", path=t.copy_path, grid=t.grid, specific=2000.0, exponent=0.25, normal=0.3, chip=0.05,
+     force=300.0, power=200.0, acceleration=100.0)
 call("path_steps", path=t.copy_path)
 call("holder_clearance", part=t.part, holder=t.HOLDER, path=t.copy_path, clearance=1.0, step=0.5)
 call("CopyOptions", copied, **t.COPY)

@@ -48,6 +48,8 @@ TAKEN = [
      "CopyOptions overlap, PhaseRule step, with_start_phase start_phase, tool_axes smoothing, "
      "simulate_texture helix, simulate_texture runout, PacedRule turning, with_tool tool_length, "
      "make_path turns, with_feeds feeds, Tool.scallop_height cross_feed, scallop_height cross_feed"),
+    ("a force that thin chips do not change, or without one normal to the surface", "zero",
+     "load_along exponent, load_along normal, limit_load exponent, limit_load normal"),
     ("the uncut surface may be the base, or below it: there the tool meets air", "zero negative",
      "simulate_texture stock"),
     ("the first of things that are counted from 0, or none of them", "zero",
@@ -65,7 +67,8 @@ TAKEN = [
      "Kinematics.add_rotary rate, "
      "Kinematics.add_rotary acceleration, ProgramForm chord, voxelise memory_limit, "
      "simulate_texture memory_limit, apply_dcm feed_tolerance, apply_dcm axis_tolerance, "
-     "apply_dcm axis_rate, apply_dcm acceleration, with_plunge_feed vertical, LiveSession.next seconds, "
+     "apply_dcm axis_rate, apply_dcm acceleration, limit_load chip, limit_load force, limit_load power, "
+     "limit_load acceleration, with_plunge_feed vertical, LiveSession.next seconds, "
      "solid_of_brep deflection, tessellate deflection, part_model deflection, diffuse_feed step"),
     ("a size whose results are finite; what it is used with sets the limit, by name", "huge",
      "BallEndMill radius, Spindle speed, make_path turns, posted_feed feed, Tool.scallop_height cross_feed, "

@@ -46,6 +46,8 @@ from _patchmill.dcm import estimate_voxels as estimate_voxels
 from _patchmill.dcm import holder_clearance as holder_clearance
 from _patchmill.dcm import hurry_in_air as hurry_in_air
 from _patchmill.dcm import joined as joined
+from _patchmill.dcm import limit_load as limit_load
+from _patchmill.dcm import load_along as load_along
 from _patchmill.dcm import load_voxels as load_voxels
 from _patchmill.dcm import over_faces as over_faces
 from _patchmill.dcm import path_steps as path_steps
