@@ -74,7 +74,8 @@ bool is_ours(PyFrameObject* frame) {
       py::reinterpret_steal<py::object>(reinterpret_cast<PyObject*>(PyFrame_GetCode(frame)));
   const char* file = PyUnicode_AsUTF8(reinterpret_cast<PyCodeObject*>(code.ptr())->co_filename);
   if (file == nullptr) PyErr_Clear();  // a name that is no text
-  return file != nullptr && std::strstr(file, "/patchmill/") != nullptr;
+  return file != nullptr && (std::strstr(file, "/patchmill/") != nullptr ||
+                             std::strstr(file, "\\patchmill\\") != nullptr);  // on Windows
 }
 
 // Told by the interpreter of each call of a function. Once stopped, what is cleaned up on the way out is let alone.
