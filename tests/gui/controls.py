@@ -79,6 +79,7 @@ class Controls(driver.BlockTest):
 
     def drive(self, root, values=lambda: None, leave=()):
         """Touches everything in `root`, folds opened first; `values()` is to stay."""
+        self.assertTrue(driver.wait(root.isVisible, 60))
         before = values()
         for control in controls(root):
             name = control.objectName() or type(control).__name__
@@ -98,7 +99,10 @@ class Controls(driver.BlockTest):
         return values
 
     def settled(self, panel):
+        """Nothing more is said that would move the rows."""
         self.assertTrue(driver.ready(panel))
+        driver.wait(lambda: not panel.advising.assessing.busy, 200)
+        panel.advising.helping.cancel()
         panel.advising.following = False
 
     def texture(self, command, groups=None):
@@ -164,9 +168,13 @@ class Controls(driver.BlockTest):
 
     def test_the_window_of_machines(self):
         window = machine_editor.show("table-table-ac")
+
+        def close():  # or it would lie over the panels of other tests
+            window.changed = False
+            window.close()
+
+        self.addCleanup(close)
         self.drive(window, lambda: (window.changed, str(window.data)), ("close",))
-        window.changed = False
-        window.close()
 
 
 def main():

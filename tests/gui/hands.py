@@ -115,6 +115,11 @@ def show(widget):
     for area in around:
         area.ensureWidgetVisible(widget)
         driver.rest(SETTLE)
+    for view in (view for top in tops for view in top.findChildren(QtGui.QTreeView)):
+        if view.isAncestorOf(widget):  # as the editor of an item
+            place = widget.mapTo(view.viewport(), widget.rect().center())
+            view.scrollTo(view.indexAt(place), QtGui.QAbstractItemView.PositionAtCenter)
+            driver.rest(SETTLE)
     driver.rest(SETTLE)
 
 
