@@ -223,7 +223,7 @@ class WithinEachOther(WithDocuments):
 class OfPython(WithDocuments):
     """Functions of the package that call none of the core's."""
 
-    CALLS = 10**7  # more than a progress waits for
+    CALLS = 10**6  # more than a progress waits for
 
     def arcs(self, progress, watched):
         with core.Watch(progress):

@@ -64,9 +64,8 @@ class BallEndOperation(host.PathOp.ObjectOp):
         self.forget()
         if absent_core.keeps_path(obj):
             return None
-        return self._compute(obj)
+        return to_its_end(self._compute)(obj)
 
-    @to_its_end
     def _compute(self, obj):
         obj.Path = host.Path.Path()
         try:

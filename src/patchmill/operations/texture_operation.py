@@ -26,7 +26,7 @@ from patchmill.properties.texture_results import RESULTS, show_results
 from patchmill.textures.masks import MaskInput, curve_loops
 from patchmill.textures.plan import PlannedTexture, TextureInput, plan_texture
 from patchmill.voxels import axis_field
-from patchmill.system.stops import stoppable, to_its_end
+from patchmill.system.stops import stoppable
 
 
 @dataclass
@@ -78,7 +78,6 @@ class ObjectTexture(BallEndOperation):
     def results(cls):
         return RESULTS + cls.OWN_RESULTS
 
-    @to_its_end
     def _compute(self, obj):
         result = super()._compute(obj)
         if self.planned is not None and self.planned.posture is not None:
