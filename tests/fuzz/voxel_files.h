@@ -14,8 +14,8 @@
 
 namespace patchmill::fuzz {
 
-/// Reads the bytes from a file; whether it is a whole voxel model of the key "key". Ends the process where the numbers of
-/// its cells are at odds.
+/// Reads the bytes from a file; whether it is a whole voxel model of the key "key". Ends the process where the numbers
+/// of its cells are at odds.
 inline bool read_voxel_file(const std::uint8_t* data, std::size_t size) {
   static const std::string name = "/tmp/patchmill-fuzz-" + std::to_string(getpid()) + ".voxels";
   std::ofstream(name, std::ios::binary)
