@@ -43,6 +43,7 @@ void bind_dcm_path(py::module_& m);
 void bind_load(py::module_& m);
 void bind_voxel_attributes(py::module_& m);
 void bind_marks(py::module_& m);
+void bind_dales(py::module_& m);
 void bind_checks(py::module_& m);
 
 /// An (n, 3) array of `get(item)` for each item.

@@ -102,6 +102,7 @@ PYBIND11_MODULE(_patchmill, m) {
           {bind_solids, bind_dcm, bind_dcm_path, bind_load});
   subject(m, "voxel", "What voxels hold: materials, feeds, postures, kinds.",
           {bind_voxel_attributes});
-  subject(m, "marks", "Marks that a moved cutter leaves, and how they lie.", {bind_marks});
+  subject(m, "marks", "Marks that a moved cutter leaves, and how they lie.",
+          {bind_marks, bind_dales});
   subject(m, "collision", "Gouges and collisions of a tool along a path.", {bind_checks});
 }

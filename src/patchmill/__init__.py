@@ -52,6 +52,7 @@ _LAZY = {
     "measured": ("patchmill.surface.files", "load"),
     "measured_texture": ("patchmill.areal.measured_texture", "measured_texture"),
     "areal_parameters": ("patchmill.areal.parameters", "areal_parameters"),
+    "dales": ("patchmill.areal.dales", "dales"),
     "write_report": ("patchmill.reports.report", "write_report"),
     "report": ("patchmill.macros.outcome", "report"),
 }

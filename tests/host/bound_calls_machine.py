@@ -111,6 +111,7 @@ call("compare_window", marks=t.marks, dimples=t.dimples, low=(-1.0, -1.0), high=
 call("classify_alignment", places=np.random.default_rng(1).random((30, 2)), feed=(1.0, 0.0),
      feed_per_tooth=0.5,
      cross_feed=0.5)
+call("dales", heights=np.random.default_rng(2).random((9, 12)), step=(0.1, 0.1), least_depth=0.2)
 call("part_model", breps=[t.BLOCK], deflection=0.1)
 call("PartModel.distances", t.part_model.distances, points=ROWS3)
 call("check_clearance", path=t.path, part=t.part_model, tolerance=0.01, clearance=0.5, resolution=0.01,

@@ -42,7 +42,7 @@ TAKEN = [
      "check_clearance clearance, * pole_tolerance, ProgramForm chord_clear, steady_posture crease"),
     ("nothing is left out by it", "zero",
      "keep_apart least, drop_slivers least, keep_off_borders margin, keep_where threshold, set_depth least, "
-     "tool_axes least_lead, simulate_texture least_depth, simulate_texture halo"),
+     "tool_axes least_lead, simulate_texture least_depth, simulate_texture halo, dales least_depth"),
     ("a depth, allowance, overlap, step, shift, time, length or ridge of nothing", "zero",
      "sink depth, set_depth depth_at_0, set_depth depth_at_1, image_mask outside, CopyOptions allowance, "
      "CopyOptions overlap, PhaseRule step, with_start_phase start_phase, tool_axes smoothing, "

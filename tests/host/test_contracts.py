@@ -42,6 +42,7 @@ TAKES_ANY = {
     ("SurfaceLattice.places", "points"): "NaN: beyond the lattice's end",
     ("Watch", "progress"): "None: never stops",
     ("axes_at", "points"): "air",
+    ("dales", "heights"): "not known",
     ("feed_at", "points"): "air",
     ("kinds_at", "points"): "air",
     ("materials_at", "points"): "-1",

@@ -127,7 +127,11 @@ def a_file():
 # page: for each of its Python blocks, what is made before it (None: it goes on from the one before), and what
 # must be so after it
 PAGES = {
-    "areal-parameters": [(measured, "surface is not None"), (None, "measured.text()")],
+    "areal-parameters": [
+        (measured, "surface is not None"),
+        (None, "len(found.depths)"),
+        (None, "measured.text()"),
+    ],
     "height-maps": [(measured, "os.path.getsize('texture.stl') > 1000 and measured is not None")],
     "dcm-fields": [
         (modifying, "result.seconds > 0.0"),

@@ -97,6 +97,7 @@ from _patchmill.marks import ToolMotion as ToolMotion
 from _patchmill.marks import best_start_phase as best_start_phase
 from _patchmill.marks import classify_alignment as classify_alignment
 from _patchmill.marks import compare_window as compare_window
+from _patchmill.marks import dales as dales
 from _patchmill.marks import housing_x as housing_x
 from _patchmill.marks import motion_of_path as motion_of_path
 from _patchmill.marks import motion_of_samples as motion_of_samples

@@ -64,6 +64,9 @@ def classify_alignment(places: numpy.typing.ArrayLike, feed: numpy.typing.ArrayL
 def compare_window(marks: TextureMarks, dimples: _patchmill.patch.Dimples, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, spacing: float) -> dict[str, typing.Any]:
     """The dimples of a window and how they compare with the plan: arrays and figures. Raises InputError naming Window or Spacing."""
     ...
+def dales(heights: numpy.typing.ArrayLike, step: numpy.typing.ArrayLike, least_depth: float) -> dict[str, typing.Any]:
+    """Dales of (rows, columns) heights [mm] by watershed and Wolf pruning, arrays of one entry each: pits (row * columns + column), bottoms, depths [mm], areas, closed_areas [mm²], volumes [mm³], at_edge. Raises InputError naming Heights, GridStep or LeastDepth."""
+    ...
 def housing_x(machine: _patchmill.machine.Kinematics, joints: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
     """Azimuth 0 of the spindle's housing in the work frame, (n, 3), for (n, 2) angles [rad]. Raises InputError naming Joints."""
     ...
