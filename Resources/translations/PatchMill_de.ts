@@ -591,6 +591,42 @@
         <source>Name of the machine file, whose rapids and accelerations the time counts; empty: unknown</source>
         <translation>Name der Maschinendatei, deren Eilgänge und Beschleunigungen in die Zeit eingehen; leer: unbekannt</translation>
     </message>
+<message>
+        <source>Largest on the tool in a turn, in N; 0: no limit</source>
+        <translation>Größte am Werkzeug in einer Umdrehung, in N; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>Power at the tool's edges, in W; 0: no limit</source>
+        <translation>Leistung an den Schneiden, in W; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>Mean chip thickness; 0: no limit</source>
+        <translation>Mittlere Spanungsdicke; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>k_c1.1 of the stock: cutting force on a chip 1 mm thick and 1 mm wide, in N</source>
+        <translation>k_c1.1 des Rohteils: Schnittkraft an einem Span von 1 mm Dicke und 1 mm Breite, in N</translation>
+    </message>
+    <message>
+        <source>m_c of the stock: how thin chips resist more</source>
+        <translation>m_c des Rohteils: wie dünne Späne mehr Widerstand leisten</translation>
+    </message>
+    <message>
+        <source>Normal to the cutting surface, of the cutting force</source>
+        <translation>Normal zur Schneidenfläche, als Anteil der Schnittkraft</translation>
+    </message>
+    <message>
+        <source>On the tool in a turn, in N; 0: no limit of the load</source>
+        <translation>Am Werkzeug in einer Umdrehung, in N; 0: keine Grenze der Belastung</translation>
+    </message>
+    <message>
+        <source>At the tool's edges, in W; 0: no limit of the load</source>
+        <translation>An den Schneiden, in W; 0: keine Grenze der Belastung</translation>
+    </message>
+    <message>
+        <source>Mean chip thickness, in mm; 0: no limit of the load</source>
+        <translation>Mittlere Spanungsdicke, in mm; 0: keine Grenze der Belastung</translation>
+    </message>
 </context>
 <context>
     <name>PatchMill</name>
@@ -4107,6 +4143,62 @@ Spindel {:.0f}°</translation>
     <message>
         <source>A patch of side {} is larger than the faces ({} x {} mm): its sides are made {} and {}.</source>
         <translation>Ein Feld mit der Seite {} ist größer als die Flächen ({} x {} mm): Seine Seiten werden {} und {}.</translation>
+    </message>
+<message>
+        <source>Force along the path</source>
+        <translation>Kraft entlang des Wegs</translation>
+    </message>
+    <message>
+        <source>Power along the path</source>
+        <translation>Leistung entlang des Wegs</translation>
+    </message>
+    <message>
+        <source>Chip thickness along the path</source>
+        <translation>Spanungsdicke entlang des Wegs</translation>
+    </message>
+    <message>
+        <source>force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>power [W]</source>
+        <translation>Leistung [W]</translation>
+    </message>
+    <message>
+        <source>chip thickness [µm]</source>
+        <translation>Spanungsdicke [µm]</translation>
+    </message>
+    <message>
+        <source>Largest force {} N ({} times the median), power {} W, chips {} µm thick</source>
+        <translation>Größte Kraft {} N (das {}-Fache des Medians), Leistung {} W, Späne {} µm dick</translation>
+    </message>
+    <message>
+        <source>Force limit</source>
+        <translation>Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Belastung</translation>
+    </message>
+    <message>
+        <source>Power limit</source>
+        <translation>Leistungsgrenze</translation>
+    </message>
+    <message>
+        <source>Chip limit</source>
+        <translation>Spanungsdickengrenze</translation>
+    </message>
+    <message>
+        <source>Specific force</source>
+        <translation>Spezifische Kraft</translation>
+    </message>
+    <message>
+        <source>Force exponent</source>
+        <translation>Exponent der Kraft</translation>
+    </message>
+    <message>
+        <source>Normal force</source>
+        <translation>Normalkraft</translation>
     </message>
 </context>
 <context>

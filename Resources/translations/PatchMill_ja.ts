@@ -591,6 +591,42 @@
         <source>Name of the machine file, whose rapids and accelerations the time counts; empty: unknown</source>
         <translation>機械ファイルの名前。その早送りと加速度が時間に算入されます。空欄: 不明</translation>
     </message>
+<message>
+        <source>Largest on the tool in a turn, in N; 0: no limit</source>
+        <translation>1回転中に工具に働く最大の力、N単位;0:制限なし</translation>
+    </message>
+    <message>
+        <source>Power at the tool's edges, in W; 0: no limit</source>
+        <translation>切れ刃での動力、W単位;0:制限なし</translation>
+    </message>
+    <message>
+        <source>Mean chip thickness; 0: no limit</source>
+        <translation>平均切りくず厚さ;0:制限なし</translation>
+    </message>
+    <message>
+        <source>k_c1.1 of the stock: cutting force on a chip 1 mm thick and 1 mm wide, in N</source>
+        <translation>素材のk_c1.1:厚さ1 mm、幅1 mmの切りくずに対する切削力、N単位</translation>
+    </message>
+    <message>
+        <source>m_c of the stock: how thin chips resist more</source>
+        <translation>素材のm_c:薄い切りくずほど大きくなる抵抗の指数</translation>
+    </message>
+    <message>
+        <source>Normal to the cutting surface, of the cutting force</source>
+        <translation>切れ刃面に垂直な力の、切削力に対する比</translation>
+    </message>
+    <message>
+        <source>On the tool in a turn, in N; 0: no limit of the load</source>
+        <translation>1回転中に工具に働く力、N単位;0:負荷の制限なし</translation>
+    </message>
+    <message>
+        <source>At the tool's edges, in W; 0: no limit of the load</source>
+        <translation>切れ刃での動力、W単位;0:負荷の制限なし</translation>
+    </message>
+    <message>
+        <source>Mean chip thickness, in mm; 0: no limit of the load</source>
+        <translation>平均切りくず厚さ、mm単位;0:負荷の制限なし</translation>
+    </message>
 </context>
 <context>
     <name>PatchMill</name>
@@ -4107,6 +4143,62 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     <message>
         <source>A patch of side {} is larger than the faces ({} x {} mm): its sides are made {} and {}.</source>
         <translation>辺 {} のパッチは面 ({} x {} mm) より大きいため、辺を {} と {} にします。</translation>
+    </message>
+<message>
+        <source>Force along the path</source>
+        <translation>経路に沿った力</translation>
+    </message>
+    <message>
+        <source>Power along the path</source>
+        <translation>経路に沿った動力</translation>
+    </message>
+    <message>
+        <source>Chip thickness along the path</source>
+        <translation>経路に沿った切りくず厚さ</translation>
+    </message>
+    <message>
+        <source>force [N]</source>
+        <translation>力 [N]</translation>
+    </message>
+    <message>
+        <source>power [W]</source>
+        <translation>動力 [W]</translation>
+    </message>
+    <message>
+        <source>chip thickness [µm]</source>
+        <translation>切りくず厚さ [µm]</translation>
+    </message>
+    <message>
+        <source>Largest force {} N ({} times the median), power {} W, chips {} µm thick</source>
+        <translation>最大の力 {} N(中央値の{}倍)、動力 {} W、切りくず厚さ {} µm</translation>
+    </message>
+    <message>
+        <source>Force limit</source>
+        <translation>力の上限</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>負荷</translation>
+    </message>
+    <message>
+        <source>Power limit</source>
+        <translation>動力の上限</translation>
+    </message>
+    <message>
+        <source>Chip limit</source>
+        <translation>切りくず厚さの上限</translation>
+    </message>
+    <message>
+        <source>Specific force</source>
+        <translation>比切削抵抗</translation>
+    </message>
+    <message>
+        <source>Force exponent</source>
+        <translation>力の指数</translation>
+    </message>
+    <message>
+        <source>Normal force</source>
+        <translation>法線方向の力</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,7 @@ _LAZY = {
     "CurvedTexture": ("patchmill.operations.curved_texture", None),
     "CalibrationPatch": ("patchmill.operations.calibration_patch", None),
     "DressupDCM": ("patchmill.modifiers.dressup_dcm", None),
+    "cutting_load": ("patchmill.modifiers.dressup_dcm", "load_of"),
     "CopyMilling": ("patchmill.operations.copy_milling", None),
     "dcm": ("patchmill.modifiers.dcm", None),
     "live": ("patchmill.verify.live", None),

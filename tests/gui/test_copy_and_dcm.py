@@ -171,6 +171,28 @@ class CopyAndDcm(driver.BlockTest):
         self.assertIsNotNone(texture.Proxy.planned.posture)
         self.assertIsNotNone(texture.Proxy.planned.input.posture_field.model)
 
+    def test_the_load_is_shown_along_the_path_and_limited(self):
+        operation = self.copy_milled()
+        dressup, panel = self.begin_dcm(operation)
+        scene = dressup.ViewObject.Proxy.scene.parts
+        panel.box.button.click()
+        self.assertTrue(driver.wait(lambda: panel.result is not None or panel.error is not None))
+        self.assertNotIn(" N ", panel.box.text.text())  # nobody asked
+        for choice in ("Force along the path", "Power along the path", "Chip thickness along the path"):
+            panel.what.setCurrentText(choice)
+            self.assertTrue(driver.wait(lambda: panel.result is not None or panel.error is not None))
+            self.assertIsNone(panel.error)
+            self.assertTrue(scene.filled("slice") and scene.shown("slice"), choice)
+        free = float(re.search(r"Largest force (\d+) N", panel.box.text.text()).group(1))
+        limit = round(0.5 * free)
+        panel.form_rows.rows["ForceLimit"].editor.setProperty("rawValue", float(limit))
+        said = self.said_and_accepted(panel)
+        kept = float(re.search(r"Largest force (\d+) N", said).group(1))
+        self.assertLess(kept, 1.1 * limit)
+        self.assertEqual(dressup.ForceLimit, limit)
+        self.assertAlmostEqual(dressup.LargestForce, kept, delta=0.51)
+        self.assertEqual(dressup.State, ["Up-to-date"])
+
     def test_cancelled_dcm_gives_the_operation_back_to_its_job(self):
         operation = self.copy_milled()
         before = self.names()

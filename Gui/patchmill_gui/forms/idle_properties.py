@@ -77,6 +77,9 @@ FEED = {
     "Materials",
     "Diffusion",
     "FeedTolerance",
+    "ForceLimit",
+    "PowerLimit",
+    "ChipLimit",
 }
 TRANSIENT = {"DiffusionTime", "TimeStep", "Diffusivity", "SubSteps"}
 POSTURE = {"PostureForm", "TiltLimit", "AxisTolerance"}

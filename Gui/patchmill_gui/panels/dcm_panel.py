@@ -6,10 +6,9 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import _patchmill as core
 import FreeCAD
 import FreeCADGui
-import numpy as np
 from patchmill.freecad import preferences
 from patchmill.machine.machining_time import in_words
-from patchmill.modifiers import dcm, dressup_dcm
+from patchmill.modifiers import cutting_load, dcm, dcm_input, dressup_dcm
 from patchmill.voxels import removal_model, voxel_slices
 from PySide import QtCore, QtGui
 
@@ -24,8 +23,8 @@ from patchmill_gui.forms.widgets import (
     guard_editors,
     let_shrink,
     translate,
-    user_unit,
 )
+from patchmill_gui.views.dcm_colours import LOADS, load_on_path, load_text, slice_of
 from patchmill_gui.views.legend import LegendPlace
 from patchmill_gui.views.path_view import PathScene, settle_native_lines
 from patchmill_gui.work.computing import Computing, ComputingBox
@@ -50,7 +49,7 @@ class DcmPanel(Computing):
         self.form.setWindowTitle(translate("PatchMill", "DCM modifier"))
         self.form.setWindowIcon(QtGui.QIcon(icon("PatchMill_DressupDcm")))
         layout = QtGui.QVBoxLayout(self.form)
-        self.form_rows = PropertyForm(dressup_dcm.PROPERTIES, obj, closed=("Limits",))
+        self.form_rows = PropertyForm(dressup_dcm.PROPERTIES, obj, closed=("Load", "Limits"))
         for row in self.form_rows.rows.values():
             if isinstance(row, QuantityRow):  # a number that is cut off is another number
                 text = row.editor.fontMetrics().boundingRect("000.00 mm/s").width()
@@ -82,6 +81,9 @@ class DcmPanel(Computing):
             ("tilt", translate("PatchMill", "Posture")),
             ("distance", translate("PatchMill", "Distance to the product")),
             ("material", translate("PatchMill", "Material")),
+            ("force", translate("PatchMill", "Force along the path")),
+            ("power", translate("PatchMill", "Power along the path")),
+            ("chip", translate("PatchMill", "Chip thickness along the path")),
             ("none", translate("PatchMill", "None")),
         ):
             self.what.addItem(name, key)
@@ -106,6 +108,7 @@ class DcmPanel(Computing):
         self.form_rows.store()
         given = dcm.input_of(self.obj)
         file = removal_model.file_beside(self.obj.Document, self.obj.Name)
+        stock = self._resistance() if self.what.currentData() in LOADS else None
 
         def work(progress):
             made = dressup_dcm.compute(given, file, progress)
@@ -113,18 +116,25 @@ class DcmPanel(Computing):
                 return None
             model, result = made
             feed = model.feed(given.low, given.high)
-            return model, result, feed, core.path_display(result.path), (given.low, given.high)
+            load = result.load
+            if load is None and stock:
+                load = cutting_load.along(result.path, model.grid, stock)
+            return model, result, feed, core.path_display(result.path), (given.low, given.high), load
 
         return work
 
+    def _resistance(self):
+        """Of the stock, for the load of a path that has no limits of it. Raises InputError."""
+        dcm_input.require_known_load(self.obj, self.obj.ToolController)
+        return cutting_load.resistance_of(self.obj)
+
     def show_result(self, result):
-        model, made, _, display, _ = result
+        _, made, _, display, _, load = result
         self.scene.show(display)
-        self.box.text.setText(
-            translate("PatchMill", "{} moves, {} of milling instead of {}").format(
-                grouped(made.steps["moves"]), in_words(made.seconds), in_words(made.base_seconds)
-            )
+        said = translate("PatchMill", "{} moves, {} of milling instead of {}").format(
+            grouped(made.steps["moves"]), in_words(made.seconds), in_words(made.base_seconds)
         )
+        self.box.text.setText(said if load is None else said + "\n" + load_text(load))
         self.show_slice()
         self.show_arrows()
 
@@ -132,8 +142,11 @@ class DcmPanel(Computing):
         """The coloured voxels of the slice that is chosen, from the last result."""
         if self.result is None:
             return
-        model, _, feed, _, limits = self.result
+        model, _, feed, _, limits, load = self.result
         axis, what = self.axis.currentIndex(), self.what.currentData()
+        if what in LOADS:
+            self._show_load(what, load, model.grid.pitch)
+            return
         shown = what != "none" and (what != "tilt" or model.posture is not None)
         self.scene.parts.switch("slice", shown)
         self.legend.hide()
@@ -141,10 +154,21 @@ class DcmPanel(Computing):
             return
         least, most = voxel_slices.slice_range(model, axis)
         place = least + (most - least) * self.place.value() / SLIDER_STEPS
-        legend, (centres, values) = _slice_of(what, model, feed, limits, axis, place)
+        legend, (centres, values) = slice_of(what, model, feed, limits, axis, place)
         low, high = legend[1:3]
         display = core.slice_display(centres, list(values), model.grid.pitch, axis, low, high)
         self.scene.parts.show({"slice": display})
+        self.legend.show(*legend)
+
+    def _show_load(self, what, load, pitch):
+        """Coloured squares along the path, from above. What was not computed is computed now."""
+        if load is None:
+            self.result = None
+            self.compute(False)
+            return
+        legend, display = load_on_path(what, load, pitch)
+        self.scene.parts.show({"slice": display})
+        self.scene.parts.switch("slice", True)
         self.legend.show(*legend)
 
     def show_arrows(self):
@@ -199,29 +223,6 @@ class DcmPanel(Computing):
         self.leave()
         FreeCADGui.Control.closeDialog()
         self.view_document.resetEdit()
-
-
-def _slice_of(what, model, feed, limits, axis, place):
-    """(arguments of LegendPlace.show, (centres, values)) of a slice."""
-    if what == "feed":
-        centres, values = voxel_slices.feed_slice(model, feed, axis, place)
-        unit, factor = user_unit("mm/s")
-        low, high = factor * limits[0] * min(model.factors), factor * limits[1] * max(model.factors)
-        digits = 0 if high >= 50.0 else 2
-        return (translate("PatchMill", "feed [{}]").format(unit), low, high, digits), (
-            centres,
-            factor * values,
-        )
-    if what == "tilt":
-        return (translate("PatchMill", "tilt [°]"), 0.0, 90.0), voxel_slices.tilt_slice(model, axis, place)
-    if what == "distance":
-        centres, values = voxel_slices.distance_slice(model, axis, place)
-        unit, factor = user_unit("mm")
-        title = translate("PatchMill", "distance [{}]").format(unit)
-        return (title, 0.0, factor * max(values, default=1.0), 2), (centres, factor * np.asarray(values))
-    names = ", ".join("%d %s" % pair for pair in enumerate(model.material_names))
-    last = max(1, len(model.material_names) - 1)
-    return (names, 0.0, last, 0, last + 1), voxel_slices.material_slice(model, axis, place)
 
 
 class DcmView:

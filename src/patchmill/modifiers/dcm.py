@@ -14,6 +14,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import host, tool_controller
 from patchmill.machine import machines, machining_time
+from patchmill.modifiers import cutting_load
 from patchmill.modifiers.dcm_input import DcmInput, input_of  # noqa: F401  input_of for macros
 from patchmill.path import base_path, tilted_path
 
@@ -30,6 +31,7 @@ class Result:
     steps: dict
     not_clear: int
     asked: DcmInput
+    load: Optional[cutting_load.LoadAlong] = None  # if it has limits
     joints: Optional[np.ndarray] = None  # [rad] at the start and at the end of each move, if it is tilted
 
     @functools.cached_property
@@ -90,6 +92,10 @@ def control(given, model):
         source = source[pieces]
     if given.keep_plunges and given.feed:
         path = slow_plunges(path, planned, source)
+    if given.load:
+        limits, stock = given.load, given.resistance
+        path, pieces = cutting_load.limited(path, model.grid, stock, limits, given.acceleration)
+        source = source[pieces]
     return Controlled(base, planned, path, source, not_clear)
 
 
@@ -105,7 +111,8 @@ def apply(given, model):
         commands = base_path.write(
             made.base, path, made.source, given.feed_tolerance, host.Path.Command
         )
-    return Result(commands, path, made.planned, core.path_steps(path), made.not_clear, given, joints)
+    load = cutting_load.along(path, model.grid, given.resistance) if given.load else None
+    return Result(commands, path, made.planned, core.path_steps(path), made.not_clear, given, load, joints)
 
 
 def slow_plunges(path, planned, source):

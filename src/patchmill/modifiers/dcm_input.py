@@ -5,6 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from dataclasses import dataclass, field
+from typing import Optional
 
 import _patchmill as core
 from _patchmill import InputError
@@ -12,6 +13,7 @@ from _patchmill import InputError
 from patchmill.freecad import host, made_from, tool_controller
 from patchmill.freecad.kinds import TEXTURE, kind_of
 from patchmill.machine import machines
+from patchmill.modifiers import cutting_load
 from patchmill.voxels import removal_model
 
 INFINITE = float("inf")
@@ -43,6 +45,8 @@ class DcmInput:
     clearance: float = 1.0
     machine: str = ""
     rapids: tuple = (0.0, 0.0)  # of the tool controller, across and up or down
+    load: Optional[cutting_load.Limits] = None  # of the cutting load; None: there are none
+    resistance: Optional[cutting_load.Resistance] = None
     transient: tuple = ()  # time [s], step [s], diffusivity [mm^2/s], sub-steps; empty: steady
 
 
@@ -59,6 +63,9 @@ def input_of(obj):
         )
     model = removal_model.input_of(obj, job, posture)
     limits = _limits(obj, model)
+    load = cutting_load.limits_of(obj) if feed else None
+    if load:
+        require_known_load(obj, operation.ToolController)
     holder = _holder(obj)
     return DcmInput(
         model=model,
@@ -81,6 +88,8 @@ def input_of(obj):
         clearance=obj.HolderClearance.Value,
         machine=obj.Machine,
         rapids=tool_controller.rapids(operation.ToolController),
+        load=load,
+        resistance=cutting_load.resistance_of(obj) if load else None,
         transient=_transient(obj),
         **limits,
     )
@@ -122,6 +131,18 @@ def _require_known_end(operation, air):
             "%g mm/min" % (60.0 * air),
             "what a tool of kind '%s' leaves is not known: give 0." % (host.tool_kind(bit) or "unknown"),
         )
+
+
+def require_known_load(obj, controller):
+    """For the cutting load the tool's shape and flutes must be known. Raises InputError naming a limit of the
+    DressupDCM `obj`, or Flutes."""
+    tool_controller.require_flutes(controller)
+    if not tool_controller.is_known(controller.Tool):
+        limits = [(name, value) for name, value in cutting_load.given(obj).items() if value]
+        name, value = limits[0] if limits else ("ForceLimit", 0.0)
+        kind = host.tool_kind(controller.Tool) or "unknown"
+        text = "%g %s" % (value, cutting_load.UNITS[name])
+        raise InputError(name, text, "how a tool of kind '%s' cuts is not known: choose another tool." % kind)
 
 
 def _spindle(operation):

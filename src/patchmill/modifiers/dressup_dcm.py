@@ -13,7 +13,7 @@ from _patchmill import InputError
 
 from patchmill.freecad import absent_core, hooks, host, kinds, made_from
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
-from patchmill.modifiers import dcm, like_operation
+from patchmill.modifiers import cutting_load, dcm, dcm_input, like_operation
 from patchmill.operations.base import forget_dressups
 from patchmill.operations.computed import not_computed
 from patchmill.properties import property_table
@@ -71,6 +71,8 @@ PROPERTIES = [
         ["Smooth", "Staircase"],
     ),
     ("App::PropertyEnumeration", "ReadAt", "DCM", "Where the voxels are read", ["Ball centre", "Tip"]),
+    *cutting_load.LIMITS,
+    *cutting_load.RESISTANCE,
     ("App::PropertySpeed", "FeedTolerance", "Limits", "Of a move's feed from the field's", 0.1),
     ("App::PropertyAngle", "AxisTolerance", "Limits", "Of the axis along a move", 0.25),
     ("App::PropertyString", "Machine", "Limits", "Name of the machine file; empty: no limits", ""),
@@ -95,6 +97,7 @@ RESULTS = [
     ("App::PropertyFloat", "LargestAxisStep", "Result", "Within a move, in degrees"),
     ("App::PropertyInteger", "Voxels", "Result", "That are stored"),
     ("App::PropertyInteger", "NotClear", "Result", "Places where no axis keeps the holder clear"),
+    *cutting_load.RESULTS,
 ]
 
 
@@ -215,6 +218,10 @@ def show_results(obj, model, result):
     obj.LargestAxisStep = result.axis_step_degrees
     obj.Voxels = counts["removal"] + counts["surface"] + counts["exterior"]
     obj.NotClear = result.not_clear
+    load = result.load
+    obj.LargestForce = load.force.max() if load else 0.0
+    obj.LargestPower = load.power.max() if load else 0.0
+    obj.LargestChip = load.chip.max() if load else 0.0
 
 
 def Create(name, base):
@@ -253,6 +260,15 @@ def recompute(obj):
     obj.touch()
     obj.Document.recompute()
     return made(obj)
+
+
+def load_of(obj):
+    """cutting_load.LoadAlong of the path of the last execute, whether it has limits or not, in the stock that
+    the properties say. Raises InputError with the reason if there is no path, or naming Flutes or a property
+    of the group Load."""
+    result = made(obj)
+    dcm_input.require_known_load(obj, obj.ToolController)
+    return cutting_load.along(result.path, obj.Proxy.model.grid, cutting_load.resistance_of(obj))
 
 
 def made(obj):
