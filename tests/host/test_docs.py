@@ -138,6 +138,7 @@ PAGES = {
         (field, "plan.posture is not None"),
         (dressed, "patchmill.DressupDCM.recompute(dressup).seconds > 0.0"),
     ],
+    "cutting-load": [(modifying, "load.force.max() < 1.1 * 300.0 and result.load is not None")],
     "README": [
         (lambda: job_over(tilted([2])), "os.path.getsize('texture.ngc') > 1000 < 50 * plan.counts['cut']"),
         (None, "op.Verdict.startswith('Holds')"),
