@@ -45,7 +45,7 @@ def head(operation):
         plan = patchmill.recompute(operation)
     except InputError as error:
         return "red", str(error), math.nan
-    found = one_click.together(operation, plan.asked)
+    found = one_click.together(operation, plan)
     phase = plan.pacing.verdict
     sentence = texture_head.verdict_of(found, phase)[1]
     return COLOURS[verdict.judge(found, phase)[0]], sentence, _minutes(operation)

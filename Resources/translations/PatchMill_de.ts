@@ -4200,6 +4200,10 @@ Spindel {:.0f}°</translation>
         <source>Normal force</source>
         <translation>Normalkraft</translation>
     </message>
+<message>
+        <source>The tool runs into the part beside the faces</source>
+        <translation>Das Werkzeug läuft neben den Flächen in das Teil</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

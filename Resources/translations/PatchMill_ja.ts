@@ -4200,6 +4200,10 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>Normal force</source>
         <translation>法線方向の力</translation>
     </message>
+<message>
+        <source>The tool runs into the part beside the faces</source>
+        <translation>工具が面の横で部品に当たります</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

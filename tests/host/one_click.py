@@ -9,7 +9,7 @@ from functools import partial
 
 import FreeCAD
 import patchmill
-from patchmill.advice import apply, assessment, choice, companions, remedies, sides
+from patchmill.advice import apply, assessment, choice, companions, remedies, room, sides
 from patchmill.operations import quick_setup
 
 assess = assessment.with_simulation(patchmill.simulate)
@@ -46,7 +46,7 @@ def state_of(operation, count=3):
         plan = patchmill.recompute(operation)
     except patchmill.InputError:
         return "short", None, math.nan
-    found = together(operation, plan.asked, count)
+    found = together(operation, plan, count)
     holds = plan.pacing.verdict is not None and plan.pacing.verdict.holding == "holds"
     return (
         "good" if found.good and holds else "short",
@@ -55,9 +55,11 @@ def state_of(operation, count=3):
     )
 
 
-def together(operation, given, count=3):
-    """Assessment of a texture with those that share its faces."""
-    return sides.with_others(assess, assess(given, count, whole=True), given, companions.inputs(operation))
+def together(operation, plan, count=3):
+    """Assessment of a PlannedTexture with those that share its faces, held against the job's model."""
+    found = assess(plan.asked, count, whole=True)
+    found = room.held_against(found, plan, apply.model_of(operation))
+    return sides.with_others(assess, found, plan.asked, companions.inputs(operation))
 
 
 def whole_quality(operation, most_area=1500.0):

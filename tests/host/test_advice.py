@@ -67,9 +67,14 @@ class Verdicts(unittest.TestCase):
                     for phase in (None, HOLDS, LOST):
                         for quality in ((), (1.0,), (0.5,)):
                             found = Assessment(9, milled, {}, patches(*quality) if quality else [])
-                            level, why = self.said(replace(found, whole=whole, away_fraction=away), phase)
+                            found = replace(found, whole=whole, away_fraction=away)
+                            level, why = self.said(found, phase)
                             seen.add(why)
                             self.assertIn(level, (verdict.GOOD, verdict.DOUBTFUL, verdict.BAD))
+                            said = self.said(replace(found, touches=True), phase)
+                            lost = phase is LOST
+                            self.assertEqual(said, (verdict.BAD, verdict.LOST if lost else verdict.TOUCHES))
+                            seen.add(said[1])
         self.assertEqual(seen, whys)
 
 

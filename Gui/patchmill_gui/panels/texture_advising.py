@@ -26,14 +26,14 @@ assess = assessment.with_simulation(simulate)
 choose = partial(choice.choose, assess)
 
 
-def _assess_and_draw(given, others, progress):
-    """(Assessment, displays of the relief of the worst place) or None if cancelled. `others`: TextureInputs
-    that share the faces."""
-    made = assess_and_draw(given, progress)
+def _assess_and_draw(planned, others, model, progress):
+    """(Assessment of a PlannedTexture, displays of the relief of the worst place) or None if cancelled.
+    `others`: TextureInputs that share the faces; `model`: apply.model_of."""
+    made = assess_and_draw(planned.asked, progress)
     if made is None:
         return None
-    found, displays = made
-    return sides.with_others(assess, found, given, others), displays
+    found, displays = room.held_against(made[0], planned, model), made[1]
+    return sides.with_others(assess, found, planned.asked, others), displays
 
 
 def _find_help(finder, given, progress):
@@ -152,9 +152,9 @@ class Advising(QtCore.QObject):
     def assess(self, planned):
         """Begins to find out how good a PlannedTexture is."""
         self._planned = planned
-        given, others = planned.asked, self._others()
+        others, model = self._others(), apply.model_of(self.obj)
         self.helping.cancel()
-        self.assessing.start(lambda progress: _assess_and_draw(given, others, progress))
+        self.assessing.start(lambda progress: _assess_and_draw(planned, others, model, progress))
 
     def _others(self):
         """TextureInputs of those that share the faces."""

@@ -219,6 +219,7 @@ def verdict_of(found, phase):
         text = translate("PatchMill", "{} of the faces good; the rest looks away: turn the part for it")
         return colour, text.format(share)
     said = {
+        verdict.TOUCHES: translate("PatchMill", "The tool runs into the part beside the faces"),
         verdict.NOT_SIMULATED: translate("PatchMill", "Not simulated"),
         verdict.ALL: translate("PatchMill", "Good: {} of the faces as planned").format(share),
         verdict.PHASE_UNKNOWN: translate(

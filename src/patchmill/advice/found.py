@@ -39,6 +39,7 @@ class Assessment:
     away_fraction: float = 0.0  # looks away from where the texture is projected from, or is too steep
     whole: Optional[float] = None  # quality of the whole texture, borders included, where it was simulated
     whole_area: Optional[float] = None  # of its milled area, what is as planned there (advice.cells)
+    touches: bool = False  # the tool, its shank or holder runs into the part (advice.room)
 
     @property
     def good_fraction(self):
@@ -50,7 +51,9 @@ class Assessment:
 
     @property
     def worth(self):
-        """good_fraction; where the borders are bad, what they leave of it."""
+        """good_fraction; where the borders are bad, what they leave of it; 0 where the tool touches."""
+        if self.touches:
+            return 0.0
         if self.borders_are_good:
             return self.good_fraction
         area = 1.0 if self.whole_area is None else self.whole_area
@@ -64,13 +67,13 @@ class Assessment:
     @property
     def good(self):
         """Whether enough of the faces is good, borders included where they were looked at."""
-        return self.good_fraction >= GOOD_FRACTION - 1e-9 and self.borders_are_good
+        return self.good_fraction >= GOOD_FRACTION - 1e-9 and self.borders_are_good and not self.touches
 
     @property
     def remains_good(self):
         """Whether enough of what is milled is good, borders included, however much is left out."""
         good = self.good_fraction >= GOOD_FRACTION * self.milled_fraction - 1e-9
-        return bool(self.patches) and good and self.borders_are_good
+        return bool(self.patches) and good and self.borders_are_good and not self.touches
 
     @property
     def borders_are_good(self):

@@ -83,6 +83,8 @@ class Finder:
         first, last = self._tries(given, normals, areas, WORTH_TRYING * reached)
         if another_ball:
             first.insert(0, lambda: self._chosen_for(given, "ball", {}))
+        elif now is not None and now.touches:
+            first.insert(0, lambda: self._beside_walls(given, Remedy("values", {}, now)))
         found: list[Remedy] = []
         slow = self._slow_strategies(given)
         for number, attempt in enumerate(first + last):
@@ -131,14 +133,14 @@ class Finder:
         if self.chosen and "margin" in self.chosen:
             given = replace(given, margin=0.0)  # each has one of its own
         given = replace(given, **self.before)
-        first = [] if self.chosen else [lambda: self._values(given)]
+        first = [] if self.chosen else [lambda: self._chosen_for(given, "values", {})]
         last = []
         if machine is not None and machine.rotary_letters:
             first.append(lambda: self._lean(given, best, normals, areas))
             first.append(lambda: self._along(given, normals, areas))
         if self.can_incline:
             first.append(lambda: self._incline(given, best))
-        first.append(lambda: self.leave_out(whole))
+        first.append(lambda: self._left_out(whole))
         last.extend(self._laid_tries(given, normals, areas, machine, worth))
         for part in FINER if given.spacing and given.texture_kind == "Overlapping" else ():
             flattest = part * orientation.BEST_TILTS[0]
@@ -172,8 +174,8 @@ class Finder:
     def _assessed(self, given):
         """Assessment of the texture as it is; None where it cannot be made."""
         try:
-            plan_texture(given)
-            return self.assess(given, 3, whole=True)
+            plan = plan_texture(given)
+            return room.held_against(self.assess(given, 3, whole=True), plan, self.model)
         except InputError:
             return None
 
@@ -216,12 +218,9 @@ class Finder:
                 return replace(remedy, fields=fields, assessment=made, walled=True)
         return None
 
-    def _values(self, given):
-        return self._chosen_for(given, "values", {})
-
     def _incline(self, given, leaning, finer=None, laid=False):
         _, angle, axis = leaning
-        fields = {} if finer is None else _finer_fields(given, finer)
+        fields = {} if finer is None else {"spacing": round(finer * given.spacing, 3)}
         fields.update(LAID if laid else {})
         asked = orientation.turned(replace(given, **fields), axis, angle, self.model)
         return self._chosen_for(asked, "incline", fields, axis, angle)
@@ -257,8 +256,12 @@ class Finder:
 
     def _finer(self, given, part):
         """Smaller dimples need less tilt."""
-        fields = _finer_fields(given, part)
+        fields = {"spacing": round(part * given.spacing, 3)}
         return self._chosen_for(replace(given, **fields), "finer", fields)
+
+    def _left_out(self, given):
+        rest = self.leave_out(given)
+        return rest and self._beside_walls(replace(given, **rest.fields), rest)
 
     def leave_out(self, given):
         """Remedy that leaves out what is flatter, and under an upright tool what is steeper, than the largest
@@ -294,7 +297,3 @@ def _helps(found, now):
     """Whether an Assessment is more than MIN_GAIN better than what is good `now`; beside nothing at all
     (None) a texture helps whatever its borders."""
     return found.good_fraction > MIN_GAIN if now is None else found.worth > now + MIN_GAIN
-
-
-def _finer_fields(given, part):
-    return {"spacing": round(part * given.spacing, 3)}

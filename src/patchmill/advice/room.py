@@ -7,6 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
+from dataclasses import replace
 
 import _patchmill as core
 
@@ -26,7 +27,7 @@ WALL_MARGINS = (1.15, 1.4, 1.7, 2.0, 2.3, 2.65, 3.0, 3.35, 3.75, 4.1, 4.5)
 # Diameters [mm] of ball end mills that catalogues have
 BALLS = (0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0)
 FITS = 0.9  # of the radius with which faces bend in: a ball that touches them at one place only
-SMALLER = (0.5, 0.25)  # of the ball, where walls are in the way
+SMALLER = 0.5  # of the ball, where walls are in the way
 EDGES = 20.0  # radii of a ball, up to which it has edges at most; above is the shank
 
 
@@ -57,9 +58,9 @@ def smaller_balls(given, walls):
     faces' hollows, or, with `walls`, the room beside them; the largest first. The spacing keeps its ratio to
     the ball, and with it the tilts that do."""
     radius, own = ball_too_large(given), given.tool.radius
-    limits = [part * own for part in SMALLER] if walls and radius is None else []
+    limits = [SMALLER * own] if walls else []
     if radius is not None:
-        limits = [FITS * radius, SMALLER[0] * radius]
+        limits = [FITS * radius, SMALLER * radius]
     fitting = [max((d for d in BALLS if 0.5 * d <= limit + 1e-9), default=0.0) for limit in limits]
     return [_with_ball(given, 0.5 * d) for d in sorted(set(fitting), reverse=True) if d > 0.0]
 
@@ -102,11 +103,17 @@ def too_narrow(given):
 def touches(given, model):
     """Whether the path of a TextureInput, or shank or holder on it, goes where posting would refuse it in a
     `model` (BREP texts). False where nobody knows: without a model, or if that is no closed solid."""
-    if not model:
-        return False
-    plan = plan_texture(given)
+    return bool(model) and _plan_touches(plan_texture(given), model)
+
+
+def _plan_touches(plan, model):
     asked = CheckInput(plan.path, list(model), GOUGE_TOLERANCE, CLEARANCE, plan)
     return run_check(asked).outcome == VIOLATED
+
+
+def held_against(found, plan, model):
+    """The Assessment of a PlannedTexture, and whether that touches a `model` as touches() says."""
+    return replace(found, touches=bool(model) and _plan_touches(plan, model))
 
 
 def beside_walls(given):

@@ -202,4 +202,5 @@ def together(found, inputs):
         away_fraction=max(0.0, 1.0 - sum(1.0 - one.away_fraction for one in found)),
         whole=min(wholes, default=None),
         whole_area=min(areas, default=None),
+        touches=any(one.touches for one in found),
     )

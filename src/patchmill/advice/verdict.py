@@ -8,6 +8,7 @@ from patchmill.advice.found import GOOD_FRACTION
 GOOD, DOUBTFUL, BAD = "good", "doubtful", "bad"
 # Why
 LOST = "the machine does not hold the phase"
+TOUCHES = "the tool runs into the part"
 NOT_SIMULATED = "not simulated"
 ALL = "as planned"
 PHASE_UNKNOWN = "as planned if the machine holds the phase"
@@ -22,6 +23,8 @@ def judge(found, phase):
     _patchmill.Verdict, or None where no machine was named."""
     if phase is not None and phase.holding not in ("holds", "unknown"):
         return BAD, LOST
+    if found.touches:
+        return BAD, TOUCHES
     if not found.patches:
         return DOUBTFUL, NOT_SIMULATED
     if found.good_fraction >= GOOD_FRACTION - 1e-9:
