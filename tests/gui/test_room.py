@@ -11,7 +11,7 @@ import driver
 import FreeCADGui
 from patchmill_gui.app.core_window import CoreWindow
 from patchmill_gui.forms import machine_editor, post_dialog
-from patchmill_gui.forms.widgets import forget_closed_panels
+from patchmill_gui.forms.widgets import WrappingLabel, forget_closed_panels
 from patchmill_gui.panels.report_panel import ReportPanel
 from PySide import QtCore, QtGui
 
@@ -183,6 +183,24 @@ class Room(driver.BlockTest):
 
     def test_japanese(self):
         self.panels("Japanese")
+
+    def test_sentences_in_a_scroll_area_are_as_high_as_their_lines(self):
+        area, page = QtGui.QScrollArea(), QtGui.QWidget()
+        label = WrappingLabel("as many words as it takes " * 6)
+        self.addCleanup(area.deleteLater)
+        layout = QtGui.QVBoxLayout(page)
+        for each in (label, QtGui.QPushButton("1"), QtGui.QPushButton("2")):
+            layout.addWidget(each)
+        area.setWidgetResizable(True)
+        area.setWidget(page)
+        area.show()
+        line = label.fontMetrics().height()
+        for width in (180, 600, 180):
+            area.resize(width, 60)
+            driver.rest(0.3)
+            around = QtCore.QRect(0, 0, label.width(), 10000)
+            lines = label.fontMetrics().boundingRect(around, QtCore.Qt.TextWordWrap, label.text()).height()
+            self.assertLess(abs(label.height() - lines), line, width)
 
     def test_a_dock_that_is_wide_enough_stays_as_it_is(self):
         FreeCADGui.getMainWindow().resizeDocks([dock()], [450], QtCore.Qt.Horizontal)

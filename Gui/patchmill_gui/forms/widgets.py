@@ -166,6 +166,7 @@ class WrappingLabel(QtGui.QLabel):
         self._take_height()
 
     def _take_height(self):
+        self.setMinimumHeight(0)  # or it would not be asked for less than that
         self.setMinimumHeight(max(0, self.heightForWidth(self.width())) if self.text() else 0)
 
 
