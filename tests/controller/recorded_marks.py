@@ -136,4 +136,5 @@ def main(out):
     relief_pictures.save(figure, os.path.join(out, "cutter-marks-recorded.png"))
 
 
-main(sys.argv[1])
+if __name__ == "__main__":
+    main(sys.argv[1])

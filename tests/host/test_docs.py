@@ -132,6 +132,7 @@ PAGES = {
         (None, "len(found.depths)"),
         (None, "measured.text()"),
     ],
+    "measured-machine": [(measured, "late.unit in ('', 'degrees')")],
     "height-maps": [(measured, "os.path.getsize('texture.stl') > 1000 and measured is not None")],
     "dcm-fields": [
         (modifying, "result.seconds > 0.0"),

@@ -46,6 +46,26 @@ def without_form(surface, form="plane"):
     return replace(surface, heights=left)
 
 
+def form_at(surface, left, places):
+    """What without_form() took from a HeightMap at places (n, 2) of its frame [mm]: `left` is what it left.
+    Exact, for a form is a polynomial. Raises InputError naming Heights if fewer than ten points are known."""
+    rows, columns = np.nonzero(surface.known)
+    if len(rows) < 10:
+        raise InputError("Heights", "%d known" % len(rows), "measure more points.")
+    some = np.linspace(0, len(rows) - 1, min(len(rows), 4000)).astype(int)
+    rows, columns = rows[some], columns[some]
+    at = np.column_stack([surface.x()[columns], surface.y()[rows]])
+    middle, half = at.mean(axis=0), np.maximum(np.ptp(at, axis=0), 1e-9)
+    powers = [(i, j) for i in range(4) for j in range(4 - i)]
+
+    def terms(points):
+        u, v = ((np.asarray(points, float) - middle) / half).T
+        return np.array([u**i * v**j for i, j in powers]).T
+
+    taken = surface.heights[rows, columns].astype(float) - left.heights[rows, columns]
+    return terms(places) @ np.linalg.lstsq(terms(at), taken, rcond=None)[0]
+
+
 def _terms(x, y, powers):
     """x^i y^j at all points: (powers, rows, columns)."""
     return np.array([np.outer(y**j, x**i) for i, j in powers])

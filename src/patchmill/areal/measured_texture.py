@@ -1,4 +1,4 @@
-"""A measured texture beside its plan, and what it says of the machine: docs/areal-parameters.md.
+"""A measured texture beside its plan, and what it says of the machine: docs/measured-machine.md.
 
     measured = measured_texture(op, patchmill.measured("scan.x3p"))
     print(measured.text())
@@ -11,13 +11,17 @@ from dataclasses import dataclass
 
 import _patchmill as core
 import numpy as np
+from _patchmill import InputError
 
 from patchmill.areal.dimples import FoundDimples, find_dimples
-from patchmill.areal.filters import without_form
-from patchmill.areal.registration import Registration, register
+from patchmill.areal.filters import form_at, without_form
+from patchmill.areal.machine_deviations import Reference, deviations, slopes
+from patchmill.areal.planned_marks import planned_marks
+from patchmill.areal.registration import Registration, laid, register, starts
 from patchmill.operations.computed import planned
 
 COVERAGE = 2.0  # standard deviations of the uncertainties that are given
+FITTING = 0.5  # of the found marks in rows: their fit then counts
 AMBIGUOUS = 0.98  # from this doubt on nothing that depends on the dimples' numbers is said
 SQUARE, HEXAGONAL = 4, 6  # how often a lattice comes onto itself in a turn
 
@@ -50,6 +54,11 @@ class MeasuredTexture:
     array: dict
     findings: list
     spacing: float
+    deviations: object = None  # machine_deviations.Deviations where the marks tell them
+
+    def finding(self, name):
+        """The Finding of a name. Raises KeyError if there is none."""
+        return {one.name: one for one in self.findings}[name]
 
     @property
     def quality(self):
@@ -78,39 +87,112 @@ class MeasuredTexture:
         return "\n".join("%-32s %s" % row for row in self.rows())
 
 
-def measured_texture(texture, surface, angle=None, form="quadric"):
+def measured_texture(texture, surface, angle=None, form="quadric", reference=None):
     """MeasuredTexture of a texture operation or its plan and a HeightMap, seen along the projection
     direction. `angle` [rad]: about how the measurement is turned to the texture plane, if known; `form`:
-    what is taken away first (filters.without_form). Raises InputError naming Dimples, Spacing,
-    Heights or Form."""
+    what is taken away first (filters.without_form). `reference`: of marks_of(), for many measurements of one
+    texture. Raises InputError naming Dimples, Spacing, Heights or Form."""
     plan = texture if hasattr(texture, "pacing") else planned(texture)
     spacing = plan.input.spacing
-    level, tilts = _level(surface)
-    found = find_dimples(without_form(level, form), spacing)
+    level, tilts = _level(surface, spacing)
+    left = without_form(level, form)
+    found = find_dimples(left, spacing)
     cut = np.flatnonzero(plan.dimples.states == core.DimpleState.CUT)
     pitch = core.row_pitch(plan.input.patch_shape)
     fold = SQUARE if pitch == 1.0 else HEXAGONAL
     places = plan.places()[cut]
-    one = register(found.places, places, spacing, angle, fold)
+    one, fault = None, None
+    try:
+        one = register(found.places, places, spacing, angle, fold)
+    except InputError as error:  # marks that all came late may still lie on their rows
+        fault = error
+    begin = starts(found.places, places, spacing, angle, fold) if len(found.places) else []
+    if one is not None:
+        begin.append((one.angle, one.shift))
+    reference = reference or (marks_of(plan, max(surface.step), form) if _compared(plan) else None)
+    told, why = _told(plan, found, begin, reference)
+    if one is None or (told is not None and one.doubt < AMBIGUOUS and told[2].share > FITTING):
+        if told is None:
+            raise fault
+        doubt = 0.0 if one is None else one.doubt
+        one = laid(found.places, places, spacing, told[2].angle, told[2].shift)
+        one.doubt = doubt
+    if angle is None and one.doubt >= AMBIGUOUS:
+        told, why = None, "the measured area looks the same from another place: say how it is turned."
+    if told is not None:
+        levels = found.heights + form_at(surface, left, found.places)
+        tilts = _tilts(*slopes(levels, found.places, reference, told[2]))
     placed = one.placed(found.places)
     array = core.classify_alignment(placed, (1.0, 0.0), spacing, spacing * pitch)
-    findings = [*tilts, travel_shift(_travel(plan, cut), places, one)]
-    return MeasuredTexture(found, one, array, findings, spacing)
+    findings = [*tilts, travel_shift(_travel(plan, cut), places, one), *_machine(plan, told, why)]
+    return MeasuredTexture(found, one, array, findings, spacing, told and told[0])
 
 
-def _level(surface):
-    """The surface less its plane, and the plane's tilts as findings. Their uncertainty takes the texture
-    itself for noise that is independent from point to point of a grid eight times as coarse: a bound."""
+def marks_of(texture, step, form="quadric"):
+    """What measured_texture() compares marks with: those of a plan's own relief on a grid of `step` [mm],
+    less its form. Raises InputError naming Spacing or Form."""
+    plan = texture if hasattr(texture, "pacing") else planned(texture)
+    return Reference(plan, planned_marks(plan), step, form)
+
+
+def _compared(plan):
+    return plan.posture is None and plan.free is None
+
+
+def _told(plan, found, begin, reference):
+    """What deviations() says, or None and why there is nothing."""
+    if not _compared(plan):
+        return None, "only paths of an upright tool on a lattice are compared."
+    if not begin:
+        return None, "no dimple is found."
+    told = deviations(found, reference, begin)
+    return told, "" if told else "the marks are on no rows of the plan, or the tool lifts between dimples."
+
+
+def _machine(plan, told, why):
+    """Findings of the machine, from what deviations() says or why it says nothing."""
+    flutes = plan.input.tool.flutes
+    radius = plan.input.tool.radius
+    of_flutes = ["runout of flute %d over flute 1" % (i + 1) for i in range(1, flutes)]
+    names = ["flutes late", "spindle error", "play of X", "play of Y", *of_flutes, "radius of the tool"]
+    if told is None:
+        return [Finding(name, None, None, "", why) for name in names]
+    values, spreads = told[0].values(), told[1].values()
+    units = ["degrees", "%", "µm", "µm"] + ["µm"] * (flutes - 1)
+    scales = np.array([math.degrees(1.0), 100.0] + [1e3] * (flutes + 1))
+    pick = np.concatenate([np.arange(4), 5 + np.arange(flutes - 1)])
+    made = []
+    for name, unit, value, spread in zip(names, units, scales * values[pick], scales * spreads[pick]):
+        if math.isfinite(value) and math.isfinite(spread):
+            made.append(Finding(name, float(value), COVERAGE * float(spread), unit))
+        else:
+            made.append(Finding(name, None, None, unit, "the measured marks cannot tell it from others."))
+    curved = 1.0 / radius + values[-1]
+    made.append(Finding(names[-1], 1.0 / curved, COVERAGE * float(spreads[-1]) / curved**2, "mm"))
+    return made
+
+
+def _level(surface, spacing):
+    """The surface less its plane, and the plane's tilts as findings. Their uncertainty takes each dimple for
+    one point of noise that is as large as the texture: what lies beyond its borders tilts the plane as
+    well."""
     level = without_form(surface, "plane")
     taken = surface.heights - level.heights
-    noise, found = float(np.nanstd(level.heights)), []
-    count = max(4.0, surface.known.sum() / 64.0)
-    for name, axis in (("tilt along x", 1), ("tilt along y", 0)):
-        slope = np.nanmedian(np.diff(taken, axis=axis)) / surface.step[1 - axis]
-        length = surface.shape[axis] * surface.step[1 - axis]
-        spread = noise * math.sqrt(12.0 / count) / length
-        found.append(Finding(name, math.degrees(slope), COVERAGE * math.degrees(spread), "degrees"))
-    return level, found
+    noise, slopes, spreads = float(np.nanstd(level.heights)), [], []
+    count = max(4.0, 0.25 * surface.known.sum() * surface.step[0] * surface.step[1] / spacing**2)
+    for axis in (1, 0):
+        slopes.append(np.nanmedian(np.diff(taken, axis=axis)) / surface.step[1 - axis])
+        spreads.append(noise * math.sqrt(12.0 / count) / (surface.shape[axis] * surface.step[1 - axis]))
+    return level, _tilts(slopes, spreads)
+
+
+def _tilts(slopes, spreads):
+    """Findings of slopes along x and y and their standard deviations."""
+    angles = np.degrees(np.arctan(slopes)), COVERAGE * np.degrees(spreads)
+    return [
+        Finding("tilt along %s" % name, float(angle), float(spread), "degrees")
+        for name, angle, spread in zip("xy", *angles)
+    ]
 
 
 def _travel(plan, cut):

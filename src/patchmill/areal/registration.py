@@ -58,11 +58,7 @@ def register(found, planned, spacing, angle=None, fold=4):
         said = "%d found, %d planned" % (len(found), len(planned))
         raise InputError("Dimples", said, "measure at least %d dimples of the texture." % LEAST)
     index = _Cells(planned, NEAR * spacing)
-    turn = _lattice_angle(planned, spacing, fold) - _lattice_angle(found, spacing, fold)
-    turns = turn + 2 * math.pi / fold * np.arange(fold)
-    if angle is not None:
-        away = abs((turns - angle + math.pi) % (2 * math.pi) - math.pi)
-        turns = turns[[np.argmin(away)]]
+    turns = _turns(found, planned, spacing, angle, fold)
     tried = [one for each in turns for one in _shifts(found, planned, each, index)]
     tried = sorted(tried, key=lambda one: -one[0])[:BEST]
     fine = [_refined(found, planned, each, shift, index) for _, each, shift in tried]
@@ -143,6 +139,36 @@ def _shifts(found, planned, angle, index):
     return [(float(scores[k]), angle, planned[k] - middle) for k in best]
 
 
+def starts(found, planned, spacing, angle=None, fold=4):
+    """(angle, shift) [rad, mm] that lay the middle of what the found places cover on that of the planned
+    ones, for each turn by which the lattice comes onto itself; arguments as for register(). For textures
+    measured whole."""
+    found, planned = (np.asarray(a, float).reshape(-1, 2) for a in (found, planned))
+    low, high = planned.min(axis=0), planned.max(axis=0)
+    made = []
+    for each in _turns(found, planned, spacing, angle, fold):
+        there = _turned(found, each)
+        made.append((float(each), 0.5 * (low + high) - 0.5 * (there.min(axis=0) + there.max(axis=0))))
+    return made
+
+
+def laid(found, planned, spacing, angle, shift):
+    """The Registration of a turn and a shift as they are."""
+    found, planned = (np.asarray(a, float).reshape(-1, 2) for a in (found, planned))
+    return _paired(found, planned, angle, shift, _Cells(planned, NEAR * spacing))
+
+
+def _turns(found, planned, spacing, angle, fold):
+    """Turns that bring the found lattice onto the planned one; of those the one next to `angle` if it is
+    given."""
+    turn = _lattice_angle(planned, spacing, fold) - _lattice_angle(found, spacing, fold)
+    turns = turn + 2 * math.pi / fold * np.arange(fold)
+    if angle is None:
+        return turns
+    away = abs((turns - angle + math.pi) % (2 * math.pi) - math.pi)
+    return turns[[np.argmin(away)]]
+
+
 def _refined(found, planned, angle, shift, index):
     """The Registration near a turn and a shift."""
     before = None
@@ -156,6 +182,11 @@ def _refined(found, planned, angle, shift, index):
         p, q = a - a.mean(axis=0), b - b.mean(axis=0)
         angle = math.atan2((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum(), (p * q).sum())
         shift = b.mean(axis=0) - _turned(a.mean(axis=0)[None], angle)[0]
+    return _paired(found, planned, angle, shift, index)
+
+
+def _paired(found, planned, angle, shift, index):
+    """The Registration of a turn and a shift: each found dimple with the nearest planned one."""
     placed = _turned(found, angle) + shift
     near = index.nearest(placed)
     here = np.flatnonzero(near >= 0)
