@@ -9,6 +9,7 @@ import _patchmill as core
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
 from patchmill.properties.texture_properties import PROPERTIES
 from patchmill.textures import strategies, tool_posture
+from patchmill.textures.order import rows
 
 MASK = {row[1] for row in PROPERTIES if row[2] == "Mask"} - {"MaskUse"}
 
@@ -55,9 +56,19 @@ def _form(obj):
     return {"FreeSide", "CrossFeed", "FeedPerTooth"}
 
 
+def _thread(obj):
+    """A thread is one move round a cylinder: what divides, borders or orders other textures it has not."""
+    if obj.Order != rows.THREAD:
+        return set()
+    idle = {"Margin", "Mapping", "Rotation", "AutoOrigin", "Origin", "MinimumTilt", "AvoidRubbing", "Lift"}
+    idle |= {"PatchSide", "PatchSideAcross", "HelixOrder", "HelixStart", "MinimumDimples", "PatchComments"}
+    idle |= {"RowExtent", "RowDirection", "RowsOneWay", "RowTolerance", "AxisSmoothing", "WidestTilt"}
+    return idle | {"ProgramForm", "GaugeLength"}
+
+
 def idle_properties(obj):
     """Names of the properties of the texture operation `obj` that have no effect now."""
-    idle = _mask(obj) | _axis(obj) | _form(obj)
+    idle = _mask(obj) | _axis(obj) | _form(obj) | _thread(obj)
     if not core.two_sided(obj.PatchShape):
         idle.add("PatchSideAcross")
     if obj.AutoOrigin:

@@ -10,6 +10,7 @@ from functools import partial
 from _patchmill import InputError
 from patchmill.advice import apply, assessment, choice, companions, remedies, room, sides
 from patchmill.textures import strategies
+from patchmill.textures.order.rows import THREAD
 from patchmill.verify.simulation import simulate
 from PySide import QtCore
 
@@ -97,7 +98,7 @@ class Advising(QtCore.QObject):
             given = replace(self.obj.Proxy.texture_input(self.obj), margin=0.0, **self._as_before())
         except InputError:
             return False  # planning says it
-        if given.form == "Free":
+        if given.form == "Free" or given.order == THREAD:
             return False
         self._cutting = {"feed": given.feed, "spindle": given.spindle}
         key = replace(given, strategy="", same_flute=False, extra_turns=0.0, order="", row_direction="")
@@ -189,7 +190,7 @@ class Advising(QtCore.QObject):
             given = self.obj.Proxy.texture_input(self.obj)
         except InputError:
             return
-        if given.form == "Free":
+        if given.form == "Free" or given.order == THREAD:
             return
         free, can_incline = apply.controller_is_free(self.obj), apply.can_incline(self.obj)
         chosen = self._choice.fields if self._choice is not None else {}

@@ -66,7 +66,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     cut = placed.dimples.states == core.DimpleState.CUT
     milled, away = _fractions(given, placed, counts)
     found = Assessment(counts["cut"], milled, counts, away_fraction=away)
-    if not cut.any() or placed.free is not None:
+    if not cut.any() or placed.free is not None or placed.thread is not None:
         return found
     tilts = _tilts(placed)
     parts, middles = _looked_at(placed, tilts, count)

@@ -11,7 +11,8 @@ ROW_PROPERTIES = [
         "App::PropertyEnumeration",
         "Order",
         "Texture",
-        "Mill patch by patch along helices, or in rows of the lattice",
+        "Mill patch by patch along helices, in rows of the lattice, or all round a cylinder along one thread "
+        "while a rotary table turns it",
         list(rows.ORDERS),
     ),
     (

@@ -39,7 +39,7 @@ class TextureInput:
     patches_y: int = 0
     helix_order: str = "Inward"
     helix_start: str = "Same corner"
-    order: str = "Helix"  # or "Rows"; then the next three count (see patchmill.textures.order.rows)
+    order: str = "Helix"  # or Thread, or Rows; then the next three count (see textures.order.rows)
     row_extent: str = "Whole face"
     row_direction: str = "Least time"
     rows_one_way: bool = False

@@ -7,7 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import functools
 from dataclasses import dataclass, field, replace
-from typing import Callable, Optional
+from typing import Any, Callable, Optional
 from math import degrees, radians
 
 import _patchmill as core
@@ -20,6 +20,7 @@ from patchmill.textures.division import divide, require_apart, sampler_on, textu
 from patchmill.textures.input import TextureInput
 from patchmill.textures.order import rows
 from patchmill.textures.outlines import in_pieces
+from patchmill.textures.thread import laying as threads
 from patchmill.system.stops import stoppable
 
 __all__ = ["PlacedTexture", "PlannedTexture", "TextureInput", "place_texture", "plan_texture"]
@@ -47,10 +48,11 @@ class PlacedTexture:
     direction: Optional[int] = None  # of rows: see rows.ordered
     patches: int = 0  # with dimples to be cut, before FirstPatch leaves some out
     free: core.FreeTexture = None  # of Matsuda's free form; then `division` are the patches' stands
+    thread: Any = None  # thread.turning.Turning of a cylinder that is milled all round
 
     def places(self):
         """Texture-plane coordinates [mm] of each lattice point, (n, 2)."""
-        if self.free is not None:
+        if self.free is not None or self.thread is not None:
             return self._on_plane(self.dimples.positions)
         if self.lattice is None:
             return self.division.places(self.dimples)
@@ -59,6 +61,8 @@ class PlacedTexture:
     def outlines(self, pieces=1):
         """Each patch's outline in the texture plane [mm], a list of (k, 2), each side cut into `pieces`
         (of 8 at least on a lattice laid on the surface); NaN where the lattice or the faces end."""
+        if self.thread is not None:
+            return []
         if self.free is not None:
             return [in_pieces(self._on_plane(o), pieces) for o in self.free.outlines()]
         if self.lattice is None:
@@ -75,6 +79,8 @@ class PlacedTexture:
         form, whose marks are on no lattice."""
         if self.free is not None:
             return None
+        if self.thread is not None:
+            return threads.spread_of(self.thread, self.dimples)
         spread = core.spacing_spread(self.dimples, self.division.pattern)
         nearest = core.nearest_distances(self.dimples)
         spread["nearest"] = nearest.min() / self.input.spacing if len(nearest) > 1 else 0.0
@@ -82,6 +88,8 @@ class PlacedTexture:
 
     def rubbing(self):
         """How many milled dimples are so near to the tool's tip that it rubs in them."""
+        if self.thread is not None:
+            return threads.rubbing(self)
         tilts = core.tilts(self.dimples, VERTICAL)[self.dimples.states == core.DimpleState.CUT]
         return int((tilts < self.size["least_tilt"]).sum())
 
@@ -125,6 +133,8 @@ class PlannedTexture(PlacedTexture):
         """Phase errors [rad] that the machine's motion model predicts, or None without a machine."""
         if self.machine is None:
             return None
+        if self.thread is not None:  # the lock itself leads all axes
+            return self.phase_errors()
         return core.predicted_phase(self.path, self.machine.model, self.dimples, self.rule)
 
 
@@ -133,6 +143,8 @@ def place_texture(given, progress=None, to_plan=False):
     """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False. `to_plan`: its
     path will be planned, and the memory for that is foreseen. Raises InputError naming the property that is
     wrong."""
+    if threads.is_thread(given):
+        return PlacedTexture(asked=given, **threads.place(given))
     if given.form == "Free":
         fields = free_form.place(given, progress)
     else:
@@ -245,6 +257,9 @@ def plan_texture(given, progress=None):
         return None
     division.require_memory(placed.division, division.BYTES_PER_DIMPLE, dict(placed.dimples.counts())["cut"])
     machine = machines.load(placed.input.machine) if placed.input.machine else None
+    if placed.thread is not None:
+        fields, made = threads.pacing(placed)
+        return PlannedTexture(**vars(placed), pacing=strategies.Pacing(**made), machine=machine, **fields)
     tried = [
         _paced(replace(placed, remarks=list(placed.remarks)), direction, machine)
         for direction in rows.candidates(placed.input, placed.division)

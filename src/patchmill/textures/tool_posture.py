@@ -164,12 +164,13 @@ def read_back(section, posture, machine, tolerance_mm):
     the work frame). `match` is a _patchmill.PlanMatch; the angles count as a miss of the same number."""
     match = core.match_plan(section.path, posture.told.path, tolerance_mm)
     told = np.degrees(posture.told.joints[1:])
-    read = np.degrees(section.angles[1:])[:, ["ABC".index(c) for c in machine.rotary_letters]]
+    read = np.degrees(section.angles[1:])[:, ["ABC".index(c) for c in posture.kinematics.letters]]
     ends = np.flatnonzero(section.path.kinds != core.MoveKind.RAPID)
     planned = np.flatnonzero(posture.told.path.kinds != core.MoveKind.RAPID)
     complete = match.complete and len(ends) == len(planned)
     if complete:
         off = np.abs(read[ends] - told[planned][:, : read.shape[1]]).max(initial=0.0)
         complete = off <= tolerance_mm + 1e-9 and bool((section.tcp[ends] == posture.form.tcp).all())
-    work = core.section_in_work(section, posture.kinematics, posture.form)
-    return complete, match, work
+    if hasattr(posture, "in_work"):  # one move of a thread is many dimples
+        return complete, match, posture.in_work(section)
+    return complete, match, core.section_in_work(section, posture.kinematics, posture.form)

@@ -82,7 +82,7 @@ def find(operation, plan, told, program, after):
 
 def _errors(op, plan, path):
     """Phase errors of what was read back. Raises InputError if they are not the plan's."""
-    if not strategies.of(plan.input.strategy).phase_in_text:
+    if plan.thread is None and not strategies.of(plan.input.strategy).phase_in_text:
         return plan.predicted_errors()
     errors = plan.phase_errors(path)
     largest = math.degrees(errors["largest"])

@@ -39,6 +39,9 @@ def motion_of(plan, path, program, dialect, machine, samples):
         return core.motion_of_path(path, plan.dimples, plan.rule, housing=housing), source
     if not isinstance(machine, machines.Machine):
         machine = machines.load(machine)
+    if plan.thread is not None:  # one straight move of all axes, which the spindle leads
+        motion = core.motion_of_path(path, plan.dimples, plan.rule, housing=housing)
+        return motion, "%s, as %s would run it" % (source, machine.data["name"])
     known, reason, moved = core.path_on_machine(path, machine.model)
     if not known:
         raise InputError("Machine", machine.key, "its motion is not known: %s." % reason)

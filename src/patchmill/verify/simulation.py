@@ -13,6 +13,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 import math
+from dataclasses import replace
 
 import _patchmill as core
 import numpy as np
@@ -20,6 +21,8 @@ from _patchmill import InputError
 
 from patchmill.operations.computed import planned
 from patchmill.textures.plan import PlannedTexture
+from patchmill.textures.thread import round_relief
+from patchmill.textures.thread.laying import in_view
 from patchmill.verify.simulated_motion import motion_of
 from patchmill.verify.simulated_texture import SimulatedTexture
 from patchmill.system.stops import stoppable
@@ -82,11 +85,38 @@ def simulate(
     )
     if not marks.complete:
         return None
-    found = core.compare_window(marks, plan.dimples, low, high, plan.input.spacing)
+    found = core.compare_window(marks, in_view(plan), low, high, plan.input.spacing)
     alignment = _alignment(plan, found["places"][~found["at_edge"]])
     return SimulatedTexture(
         plan, marks, (low, high), found, alignment, source, base, reach, motion.untimed_moves
     )
+
+
+@stoppable
+def simulate_round(texture, sectors=12, along=None, progress=None, **options):
+    """round_relief.SimulatedRound of a texture operation, or its PlannedTexture, whose Order is Thread; None
+    if `progress` (share -> bool) returned False. `sectors`: how many, 6 to 360; `along`: (least, greatest) place
+    along the rotary axis [mm] to be looked at, None: all; other `options` as simulate takes them, but for
+    window. Raises InputError naming Order, Sectors or what simulate names."""
+    plan = _plan_of(texture)
+    if plan.thread is None:
+        raise InputError("Order", plan.input.order, "only a thread goes all round: use patchmill.simulate.")
+    if not 6 <= sectors <= 360:
+        raise InputError("Sectors", sectors, "give 6 to 360.")
+    ends = round_relief.ends(plan.thread)
+    middle = 0.5 * sum(ends)
+    first, last = ends if along is None else along
+    across = plan.thread.cylinder.radius * math.sin(math.pi / sectors)
+    window = ((first - middle, -across), (last - middle, across))
+    angles = 2.0 * math.pi / sectors * np.arange(sectors)
+    made = []
+    for number, angle in enumerate(angles):
+        share = progress and (lambda part, n=number: progress((n + part) / sectors))
+        seen = replace(plan, plane=round_relief.plane_of(plan.thread, angle, middle))
+        made.append(simulate(seen, window=window, progress=share, **options))
+        if made[-1] is None:
+            return None
+    return round_relief.SimulatedRound(plan, made, angles)
 
 
 def _marks_around(plan, motion, window, sizes, **options):

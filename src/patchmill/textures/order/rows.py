@@ -2,6 +2,7 @@
 
     Helix   patch by patch, each from its outline inwards or outwards (Matsuda 2008, Fig. 1b)
     Rows    along the lattice, over the whole face or inside each patch (docs/rows.md)
+    Thread  all round a cylinder that a rotary table turns (docs/thread.md)
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -9,7 +10,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import _patchmill as core
 from _patchmill import InputError
 
-HELIX, ROWS = ORDERS = ("Helix", "Rows")
+HELIX, ROWS, THREAD = ORDERS = ("Helix", "Rows", "Thread")
 WHOLE_FACE, EACH_PATCH = EXTENTS = ("Whole face", "Each patch")
 LEAST_TIME, ALONG_X, ALONG_Y, FLATTEST = DIRECTIONS = (
     "Least time",
@@ -28,7 +29,7 @@ def in_rows(given):
     """Whether the dimples of a TextureInput are milled in rows. Raises InputError naming Order, RowExtent or
     RowDirection."""
     _choose("Order", given.order, ORDERS)
-    if given.order == HELIX:
+    if given.order != ROWS:
         return False
     _choose("RowExtent", given.row_extent, EXTENTS)
     _choose("RowDirection", given.row_direction, DIRECTIONS)
@@ -55,7 +56,7 @@ def ordered(given, dimples, division, direction=None):
 
 def candidates(given, division):
     """Numbers of the lattice's steps that rows are to be tried along, [None] if there is nothing to try."""
-    if given.order == HELIX or given.row_direction != LEAST_TIME:
+    if given.order != ROWS or given.row_direction != LEAST_TIME:
         return [None]
     return list(range(core.row_directions(division.pattern)))
 
