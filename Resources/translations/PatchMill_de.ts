@@ -627,7 +627,11 @@
         <source>Mean chip thickness, in mm; 0: no limit of the load</source>
         <translation>Mittlere Spanungsdicke, in mm; 0: keine Grenze der Belastung</translation>
     </message>
-</context>
+<message>
+        <source>Mill patch by patch along helices, in rows of the lattice, or all round a cylinder along one thread while a rotary table turns it</source>
+        <translation>Feld für Feld entlang von Spiralen fräsen, in Zeilen des Gitters, oder rund um einen Zylinder entlang eines einzigen Gewindegangs, während ein Drehtisch ihn dreht</translation>
+    </message>
+    </context>
 <context>
     <name>PatchMill</name>
     <message>
@@ -4204,7 +4208,11 @@ Spindel {:.0f}°</translation>
         <source>The tool runs into the part beside the faces</source>
         <translation>Das Werkzeug läuft neben den Flächen in das Teil</translation>
     </message>
-</context>
+<message>
+        <source>Thread</source>
+        <translation>Gewinde</translation>
+    </message>
+    </context>
 <context>
     <name>PatchMillPreferences</name>
     <message>

@@ -627,7 +627,11 @@
         <source>Mean chip thickness, in mm; 0: no limit of the load</source>
         <translation>平均切りくず厚さ、mm単位;0:負荷の制限なし</translation>
     </message>
-</context>
+<message>
+        <source>Mill patch by patch along helices, in rows of the lattice, or all round a cylinder along one thread while a rotary table turns it</source>
+        <translation>パッチごとにらせん状に、格子の行ごとに、または回転テーブルが回す円柱の全周を一本のねじ線に沿って加工</translation>
+    </message>
+    </context>
 <context>
     <name>PatchMill</name>
     <message>
@@ -4204,7 +4208,11 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>The tool runs into the part beside the faces</source>
         <translation>工具が面の横で部品に当たります</translation>
     </message>
-</context>
+<message>
+        <source>Thread</source>
+        <translation>ねじ線</translation>
+    </message>
+    </context>
 <context>
     <name>PatchMillPreferences</name>
     <message>

@@ -43,9 +43,10 @@ QT_TRANSLATE_NOOP("App::Property", "Begin all patches at the same corner, or at 
 QT_TRANSLATE_NOOP("PatchMill", "Same corner");
 QT_TRANSLATE_NOOP("PatchMill", "Nearest corner");
 QT_TRANSLATE_NOOP("PatchMill", "Order");
-QT_TRANSLATE_NOOP("App::Property", "Mill patch by patch along helices, or in rows of the lattice");
+QT_TRANSLATE_NOOP("App::Property", "Mill patch by patch along helices, in rows of the lattice, or all round a cylinder along one thread while a rotary table turns it");
 QT_TRANSLATE_NOOP("PatchMill", "Helix");
 QT_TRANSLATE_NOOP("PatchMill", "Rows");
+QT_TRANSLATE_NOOP("PatchMill", "Thread");
 QT_TRANSLATE_NOOP("PatchMill", "Row extent");
 QT_TRANSLATE_NOOP("App::Property", "Rows run over the whole face, across the borders of patches, or inside each patch");
 QT_TRANSLATE_NOOP("PatchMill", "Whole face");
