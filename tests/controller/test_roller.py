@@ -56,7 +56,8 @@ def tooth_passes(log, plan):
     lock holds: the constant that a lock begins with is the mean's affair."""
     x, a = log.joints[:, 0], numpy.radians(log.rotary[:, 0])
     share = a / plan["angle"]
-    settled = (share * plan["turns"] > SETTLING) & ((1.0 - share) * plan["turns"] > SETTLING)
+    there = numpy.arange(len(a)) <= numpy.argmax(a)  # the program winds the table back at its end
+    settled = there & (share * plan["turns"] > SETTLING) & ((1.0 - share) * plan["turns"] > SETTLING)
     error = log.turns - share * plan["turns"]
     offset = numpy.mean(error[settled])
     turned = log.turns[settled] - offset

@@ -28,6 +28,7 @@ from recipe import STEP, small_job  # noqa: E402
 from test_axis_field import add_dressup, textured_job  # noqa: E402
 from test_copy_milling import job_with_stock  # noqa: E402
 from test_strategies import locked_job  # noqa: E402
+from test_thread import roller  # noqa: E402
 
 spec = importlib.util.spec_from_file_location("blocks", HERE.parent / "docs" / "blocks.py")
 blocks = importlib.util.module_from_spec(spec)
@@ -69,6 +70,11 @@ def texture(machine="", patches=2):
     turned = np.cumsum(turns)[timed]
     rows = np.column_stack([turned, path.tips[timed], -2.0 * np.pi * turned])
     return {"job": job, "op": op, "rows": rows, "patchmill": patchmill, "FreeCAD": FreeCAD}
+
+
+def shaft():
+    _, op = roller(6.0, 2.0)
+    return {"op": op, "patchmill": patchmill}
 
 
 def textured():
@@ -153,6 +159,7 @@ PAGES = {
     "five-axis": [(textured, "patchmill.recompute(op).posture is not None")],
     "matsuda-condition": [(lambda: {"patchmill": patchmill}, "p.feed > 0.0")],
     "patch-division": [(lambda: job_over(tilted([1, 4])), "op.DimpleCount > 20")],
+    "thread": [(shaft, "result.missing == 0 and op.Verdict.startswith('Holds')")],
     "rows": [(locked, "patchmill.recompute(op).counts['cut'] > 50")],
 }
 
