@@ -1,6 +1,7 @@
-// The load along random moves against a slow simulation that shares no code with it: the cutting surface is divided in
-// small elements, and each is asked at many places whether there is material right before it. The stock is known without
-// voxels: the block less what the tool has swept, which along a straight move of an upright tool is a convex question.
+// The load along random moves against a slow simulation that shares no code with it: the cutting surface is divided
+// in small elements, and each is asked at many places whether there is material right before it. The stock is known
+// without voxels: the block less what the tool has swept, which along a straight move of an upright tool is a convex
+// question.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "block.h"
 
@@ -112,8 +113,8 @@ struct Sums {
   double chip() const { return section / area; }
 };
 
-// Random moves through the block with one tool, one after the other. The chip thickness under a flat end that sinks slowly
-// is left out: its bottom comes to the next layer of samples now and then only.
+// Random moves through the block with one tool, one after the other. The chip thickness under a flat end that sinks
+// slowly is left out: its bottom comes to the next layer of samples now and then only.
 void compare(const Tool& tool, unsigned seed, bool level) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> number(0.0, 1.0);

@@ -1,9 +1,10 @@
-// Engagement of a tool with the stock that is left, from the samples of the voxels that it takes (air_cuts.h). While the
-// tool goes a way ds in the direction d, an element dA of its surface with the normal n takes the volume
+// Engagement of a tool with the stock that is left, from the samples of the voxels that it takes (air_cuts.h). While
+// the tool goes a way ds in the direction d, an element dA of its surface with the normal n takes the volume
 //     dV = (n . d) dA ds
 // if there is material before it. So a sample that is taken stands for the element that took it, and every integral
 // over the surface at work is a sum over samples: of any shape of tool, stock and engagement, and the volumes are those
-// that are taken. An edge at the angle phi has F_c(phi) = integral of k_c h over its length, (n . d) dA / (r dphi) each.
+// that are taken. An edge at the angle phi has F_c(phi) = integral of k_c h over its length,
+// (n . d) dA / (r dphi) each.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -36,8 +37,8 @@ struct EngagedSums {
   void add(const EngagedSums& other);
 };
 
-/// The sums of a straight step of the tool's centre (tool.h) in which `samples` [mm] of `sample_volume` [mm^3] each were
-/// taken; its axis may turn. A step without length has none.
+/// The sums of a straight step of the tool's centre (tool.h) in which `samples` [mm] of `sample_volume` [mm^3] each
+/// were taken; its axis may turn. A step without length has none.
 EngagedSums sums_of(const ToolPose& from, const ToolPose& to, const Tool& tool,
                     const Resistance& resistance, const std::vector<Vec3>& samples,
                     double sample_volume);

@@ -1,5 +1,6 @@
-// The cutting load along a tool path, and a path whose feed keeps it within limits. The voxel model is cut step by step,
-// a quarter of a voxel each, and the engagement (engagement.h) is that of a voxel's length of the way around each step.
+// The cutting load along a tool path, and a path whose feed keeps it within limits. The voxel model is cut step by
+// step, a quarter of a voxel each, and the engagement (engagement.h) is that of a voxel's length of the way around
+// each step.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
@@ -21,8 +22,8 @@ struct LoadAt {
   Load load;
 };
 
-/// The load at every step of the path through the stock of a grid, which it cuts. Errors: InputError naming tool radius,
-/// spindle speed, flutes, or what require_valid names.
+/// The load at every step of the path through the stock of a grid, which it cuts. Errors: InputError naming tool
+/// radius, spindle speed, flutes, or what require_valid names.
 std::vector<LoadAt> load_along(const ToolPath& path, const voxel::VoxelGrid& grid,
                                const Resistance& resistance);
 
