@@ -145,10 +145,8 @@ def place_texture(given, progress=None, to_plan=False):
     wrong."""
     if threads.is_thread(given):
         return PlacedTexture(asked=given, **threads.place(given))
-    if given.form == "Free":
-        fields = free_form.place(given, progress)
-    else:
-        fields = _place_lattice(given, progress, to_plan)
+    is_free = given.form == "Free"
+    fields = free_form.place(given, progress) if is_free else _place_lattice(given, progress, to_plan)
     if fields is None:
         return None
     placed = PlacedTexture(asked=given, **fields)
@@ -284,11 +282,9 @@ def _paced(placed, direction, machine, whole=None):
     if placed.free is not None:
         rule = core.PhaseRule(False, 0.0, 0.0)
         pacing = heights.plan_above(
-            given,
-            dimples,
-            placed.remarks,
+            given, dimples, placed.remarks,
             lambda g: free_form.pacing(g, placed.free, dimples, rule, machine),
-        )
+        )  # fmt: skip
     else:
         rule = core.PhaseRule(given.same_flute, given.extra_turns, radians(given.phase_step))
         posture = None
