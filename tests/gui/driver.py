@@ -83,6 +83,13 @@ def task_dock():
     return next(dock for name in ("Combo View", "Tasks") for dock in docks if dock.objectName() == name)
 
 
+def report_text():
+    """What the report view says."""
+    edits = FreeCADGui.getMainWindow().findChildren(QtGui.QTextEdit)
+    (view,) = [edit for edit in edits if edit.metaObject().className() == "Gui::DockWnd::ReportOutput"]
+    return view.toPlainText()
+
+
 def panel_of(operation):
     return operation.ViewObject.Proxy.panel
 

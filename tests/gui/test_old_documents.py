@@ -41,11 +41,17 @@ class OldNames(unittest.TestCase):
 
 class SavedBefore(unittest.TestCase):
     def setUp(self):
+        before = len(driver.report_text())
         self.document = FreeCAD.openDocument(SAVED)
         driver.rest(0.5)
+        self.said = driver.report_text()[before:]
 
     def tearDown(self):
         FreeCAD.closeDocument(self.document.Name)
+
+    def test_nothing_fails_on_the_way(self):
+        self.assertNotIn("Traceback", self.said)
+        self.assertNotIn("has no attribute", self.said)
 
     def test_views_and_panels(self):
         for name, view in VIEWS.items():

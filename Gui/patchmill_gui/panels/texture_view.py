@@ -62,7 +62,11 @@ class ViewProvider(OperationView):
         self.update(vobj)
 
     def onChanged(self, vobj, prop):
-        if prop in ("Show", "Visibility") and getattr(self, "scene", None):
+        if prop not in ("Show", "Visibility") or not getattr(self, "scene", None):
+            return
+        if vobj.Object.Document.Restoring:  # of a file: properties that are newer than it are still to come
+            self.update_soon(vobj.Object)
+        else:
             self.update(vobj)
 
     def updateData(self, obj, prop):
@@ -81,7 +85,11 @@ class ViewProvider(OperationView):
     def _update_if_there(self, document, name):
         document = FreeCAD.listDocuments().get(document)
         obj = document.getObject(name) if document else None
-        if obj is not None and obj.ViewObject is not None:
+        if obj is None or obj.ViewObject is None:
+            return
+        if obj.Document.Restoring:  # FreeCAD lets events in while it opens a file
+            self.update_soon(obj)
+        else:
             self.update(obj.ViewObject)
 
     def show_simulated(self, displays):
