@@ -95,9 +95,9 @@ def simulate(
 @stoppable
 def simulate_round(texture, sectors=12, along=None, progress=None, **options):
     """round_relief.SimulatedRound of a texture operation, or its PlannedTexture, whose Order is Thread; None
-    if `progress` (share -> bool) returned False. `sectors`: how many, 6 to 360; `along`: (least, greatest) place
-    along the rotary axis [mm] to be looked at, None: all; other `options` as simulate takes them, but for
-    window. Raises InputError naming Order, Sectors or what simulate names."""
+    if `progress` (share -> bool) returned False. `sectors`: how many, 6 to 360; `along`: (least, greatest)
+    place along the rotary axis [mm] to be looked at, None: all; other `options` as simulate takes them, but
+    for window. Raises InputError naming Order, Sectors or what simulate names."""
     plan = _plan_of(texture)
     if plan.thread is None:
         raise InputError("Order", plan.input.order, "only a thread goes all round: use patchmill.simulate.")
