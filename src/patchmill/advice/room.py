@@ -122,4 +122,5 @@ def beside_walls(given):
     margins = [round(m * given.tool.radius, 4) for m in WALL_MARGINS if m * given.tool.radius > given.margin]
     across = {rows.ALONG_X: rows.ALONG_Y, rows.ALONG_Y: rows.ALONG_X}.get(given.row_direction)
     other = [{"row_direction": across}] if across and given.order == rows.ROWS else []
-    return [{"margin": margin, **turned} for margin in margins for turned in ({}, *other)]
+    ways: list[dict] = [{}, *other]
+    return [dict(turned, margin=margin) for margin in margins for turned in ways]
