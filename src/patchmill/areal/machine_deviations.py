@@ -56,7 +56,7 @@ def samples_with(plan, marks, late, error, play):
     known = np.isfinite(path.turns)
     turned = np.concatenate([[0.0], np.cumsum(np.where(known, path.turns, 0.0))])
     run = np.concatenate([[0], np.cumsum(~known)])
-    middle = float(np.median(marks.turns[marks.straight]))
+    middle = float(np.median(marks.turns[marks.straight])) if marks.straight.any() else 0.0
     normals = plan.dimples.normals[marks.numbers]
     azimuth = np.arctan2(-normals[:, 1], -normals[:, 0])
     first = {int(run[end + 1]): k for k, end in reversed(list(enumerate(marks.ends)))}

@@ -109,7 +109,8 @@ def measured_texture(texture, surface, angle=None, form="quadric", reference=Non
     begin = starts(found.places, places, spacing, angle, fold) if len(found.places) else []
     if one is not None:
         begin.append((one.angle, one.shift))
-    reference = reference or (marks_of(plan, max(surface.step), form) if _compared(plan) else None)
+    if reference is None and _compared(plan):
+        reference = marks_of(plan, max(surface.step), form)
     told, why = _told(plan, found, begin, reference)
     if one is None or (told is not None and one.doubt < AMBIGUOUS and told[2].share > FITTING):
         if told is None:
@@ -136,13 +137,16 @@ def marks_of(texture, step, form="quadric"):
 
 
 def _compared(plan):
-    return plan.posture is None and plan.free is None
+    """Whether the plan's marks can follow each other along rows: else its own relief is not asked for."""
+    if plan.posture is not None or plan.free is not None:
+        return False
+    return bool(planned_marks(plan).straight.any())
 
 
 def _told(plan, found, begin, reference):
     """What deviations() says, or None and why there is nothing."""
     if not _compared(plan):
-        return None, "only paths of an upright tool on a lattice are compared."
+        return None, "only paths of an upright tool on a lattice, whose marks follow each other, are compared."
     if not begin:
         return None, "no dimple is found."
     told = deviations(found, reference, begin)
