@@ -146,7 +146,7 @@ def _compared(plan):
 def _told(plan, found, begin, reference):
     """What deviations() says, or None and why there is nothing."""
     if not _compared(plan):
-        return None, "only paths of an upright tool on a lattice, whose marks follow each other, are compared."
+        return None, "only paths of an upright tool, on a lattice, in rows of marks, are compared."
     if not begin:
         return None, "no dimple is found."
     told = deviations(found, reference, begin)
