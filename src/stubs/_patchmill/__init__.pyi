@@ -114,6 +114,7 @@ from _patchmill.patch import TexturePlane as TexturePlane
 from _patchmill.patch import cover as cover
 from _patchmill.patch import cover_lattice as cover_lattice
 from _patchmill.patch import curve_mask as curve_mask
+from _patchmill.patch import dimples_at as dimples_at
 from _patchmill.patch import drop_slivers as drop_slivers
 from _patchmill.patch import flattest_row_direction as flattest_row_direction
 from _patchmill.patch import from_patch as from_patch
@@ -145,6 +146,7 @@ from _patchmill.path import Spindle as Spindle
 from _patchmill.path import Tool as Tool
 from _patchmill.path import ToolPath as ToolPath
 from _patchmill.path import make_path as make_path
+from _patchmill.path import with_dimples as with_dimples
 from _patchmill.scene import Display as Display
 from _patchmill.scene import arrow_display as arrow_display
 from _patchmill.scene import dimple_display as dimple_display
