@@ -50,8 +50,8 @@ def place(given):
         positions,
         normals,
         np.column_stack([passes - closed.steps * row, row]),
-        row,
-        np.where(on_face, core.DimpleState.CUT, core.DimpleState.OFF_FACE),
+        row.tolist(),
+        np.where(on_face, core.DimpleState.CUT, core.DimpleState.OFF_FACE).tolist(),
     )
     core.sink(dimples, size["sunk"])
     said: list = []
@@ -78,7 +78,8 @@ def in_view(placed):
     away = dimples.normals @ np.asarray(placed.plane.direction) > -steepest
     states[(states == core.DimpleState.CUT) & away] = core.DimpleState.UNDERCUT
     lattice_points = dimples.lattice[:, :2].astype(int)
-    found = core.dimples_at(dimples.positions, dimples.normals, lattice_points, dimples.patches, states)
+    patches = dimples.patches.tolist()
+    found = core.dimples_at(dimples.positions, dimples.normals, lattice_points, patches, states.tolist())
     core.sink(found, placed.size["sunk"])
     return found
 

@@ -86,7 +86,8 @@ def in_pieces(posture, path, joints):
     from tooth pass to tooth pass. `joints`: (n + 1, 2) [rad]."""
     turning, teeth = posture.turning, posture.turning.teeth
     points = np.vstack([np.array(path.start)[None], path.tips])
-    tips, axes, angles, kinds, turns, numbers = [], [], [joints[0, 0]], [], [], []
+    tips, axes, angles, kinds, turns = [], [], [joints[0, 0]], [], []
+    numbers: list = []
     for i in range(len(path)):
         share = np.ones(1)
         kind, total, found = path.kinds[i], path.turns[i], [core.NO_DIMPLE]
