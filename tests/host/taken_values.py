@@ -7,22 +7,18 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 TAKEN = [
     ("a position, of which any is good, or a corner of an area that has a size", "zero negative",
-     "* low, * high, make_path start, dimples_at positions, dimples_at lattice, texture_plane origin, "
-     "lay_lattice start, nearest_start wanted, "
+     "* low, * high, make_path start, texture_plane origin, lay_lattice start, nearest_start wanted, "
      "SurfaceLattice.counted_from flat, Kinematics lowest, Kinematics highest, Kinematics work_zero, "
      "Kinematics.add_rotary point, Kinematics.in_work_frame linear, Kinematics.pivot_referred point, "
      "VoxelGrid.section place"),
     ("a corner that is cut off at the faces', or a limit that is never reached", "huge", "* high"),
     ("a direction counts, not its length", "negative huge",
-     "seen_best preferred, dimples_at normals, nearest_row_direction direction, "
-     "mark_tool_tip axis, tilts axis, "
+     "seen_best preferred, nearest_row_direction direction, mark_tool_tip axis, tilts axis, "
      "Kinematics.contact_azimuth normal, Kinematics.solve_axis axis, tool_axes axis, tool_axes towards, "
      "VoxelGrid.section direction, feed_at direction"),
     ("likewise; too long a one is refused", "negative",
      "texture_plane direction, texture_plane x_hint, Kinematics.add_rotary direction, "
      "classify_alignment feed"),
-    ("no dimple, or one that there is not: what takes a path and dimples looks", "negative huge",
-     "with_dimples dimples"),
     ("no direction: the feed's, or the one that there is", "zero", "tool_axes towards"),
     ("an angle to either side", "zero negative",
      "texture_plane rotation, lay_on_faces rotation, Kinematics.contact_azimuth joints, "
@@ -53,7 +49,6 @@ TAKEN = [
     ("the uncut surface may be the base, or below it: there the tool meets air", "zero negative",
      "simulate_texture stock"),
     ("the first of things that are counted from 0, or none of them", "zero",
-     "dimples_at patches, dimples_at states, with_dimples dimples, "
      "ProgramSection.part first, ProgramSection.part end, free_form_phases patch, in_rows direction, "
      "start_phase best_dimple, * axis, TextureMarks.surface row, TextureMarks.surface column, "
      "check_clearance most_findings, check_clearance first_move, path_axis_display most, "
