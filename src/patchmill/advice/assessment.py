@@ -91,7 +91,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
 
 
 def _look_steeper(simulate, given, placed, tilts, flattest, patches):
-    """Puts a further PatchQuality into `patches`, of the steepest of the `flattest` dimples, if it is good."""
+    """Puts a further PatchQuality of the steepest of the `flattest` dimples into `patches`, if it is good."""
     neighbours = _neighbours(placed, placed.dimples.states == core.DimpleState.CUT)
     for share in STEEPER:
         number = _middle(flattest[int((1.0 - share) * len(flattest)) :], neighbours)

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import _patchmill as core
 import numpy as np
@@ -32,7 +33,7 @@ class PlannedMarks:
     flutes: np.ndarray
     rows: np.ndarray
     straight: np.ndarray
-    plan: object
+    plan: Any
     ends: np.ndarray
 
     def moved_by_play(self, axis, play):
