@@ -31,6 +31,7 @@ SHOWN = (  # what is called with a text that the user reads
 )
 # texts from tables, which are marked where they are written or by tools/table_texts.py
 FROM_TABLES = {
+    ("dcm_colours.py", "title"),
     ("property_form.py", "title"),
     ("property_form.py", "label_of(name)"),
     ("property_form.py", "tip"),
