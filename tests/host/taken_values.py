@@ -19,6 +19,7 @@ TAKEN = [
     ("likewise; too long a one is refused", "negative",
      "texture_plane direction, texture_plane x_hint, Kinematics.add_rotary direction, "
      "classify_alignment feed"),
+    ("no dimple: what takes a path and dimples looks", "negative", "with_dimples dimples"),
     ("no direction: the feed's, or the one that there is", "zero", "tool_axes towards"),
     ("an angle to either side", "zero negative",
      "texture_plane rotation, lay_on_faces rotation, Kinematics.contact_azimuth joints, "

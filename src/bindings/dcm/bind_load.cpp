@@ -65,8 +65,9 @@ void bind_load(py::module_& m) {
         py::arg("power") = kNone, py::arg("acceleration") = kNone,
         "(path whose moves are divided and slowed down to keep the mean chip thickness [mm], the "
         "force [N] and the power [W], and the acceleration [mm/s^2] on the way, number of the "
-        "given move of each). Raises InputError as load_along does, and naming ChipLimit, "
-        "ForceLimit, PowerLimit, acceleration or base operation.");
+        "given move of each). Raises InputError naming tool radius, spindle speed, flutes, "
+        "SpecificForce, ForceExponent, NormalForce, ChipLimit, ForceLimit, PowerLimit, "
+        "acceleration or base operation.");
 }
 
 }  // namespace patchmill

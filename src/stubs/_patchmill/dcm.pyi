@@ -146,7 +146,7 @@ def joined(paths: list[_patchmill.path.ToolPath]) -> _patchmill.path.ToolPath:
     """Paths one after the other, a rapid between; tool and spindle are the first one's. Raises InputError naming path."""
     ...
 def limit_load(path: _patchmill.path.ToolPath, grid: VoxelGrid, specific: float = 2000.0, exponent: float = 0.25, normal: float = 0.3, chip: float = ..., force: float = ..., power: float = ..., acceleration: float = ...) -> tuple[typing.Any, ...]:
-    """(path whose moves are divided and slowed down to keep the mean chip thickness [mm], the force [N] and the power [W], and the acceleration [mm/s^2] on the way, number of the given move of each). Raises InputError as load_along does, and naming ChipLimit, ForceLimit, PowerLimit, acceleration or base operation."""
+    """(path whose moves are divided and slowed down to keep the mean chip thickness [mm], the force [N] and the power [W], and the acceleration [mm/s^2] on the way, number of the given move of each). Raises InputError naming tool radius, spindle speed, flutes, SpecificForce, ForceExponent, NormalForce, ChipLimit, ForceLimit, PowerLimit, acceleration or base operation."""
     ...
 def load_along(path: _patchmill.path.ToolPath, grid: VoxelGrid, specific: float = 2000.0, exponent: float = 0.25, normal: float = 0.3) -> dict[str, typing.Any]:
     """The cutting load every quarter of a voxel, arrays of one length: move, at (0 .. 1 on it), length [mm], feed [mm/s], section [mm^2], removal [mm^3/s], chip (mean thickness) [mm], force (largest in a turn) [N] and power [W]. `specific`: k_c1.1 [N/mm^2], `exponent`: m_c, `normal`: force normal to the surface over the cutting force. Raises InputError naming tool radius, spindle speed, flutes, SpecificForce, ForceExponent or NormalForce."""
