@@ -19,6 +19,7 @@ from patchmill.modifiers import dressup_dcm  # noqa: E402
 from patchmill.operations.copy_milling import ObjectCopyMilling  # noqa: E402
 from patchmill.operations.planar_texture import ObjectPlanarTexture  # noqa: E402
 from patchmill.operations.pyramid_texture import ObjectPyramidTexture  # noqa: E402
+from patchmill.properties import property_table  # noqa: E402
 from patchmill.properties.property_table import ENUMERATION, field_of, label_of, property_of  # noqa: E402
 from patchmill.textures.input import TextureInput  # noqa: E402
 
@@ -60,6 +61,24 @@ class Tables(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual(default, given)
         self.assertGreater(compared, 40)
+
+    def test_choices_that_an_older_document_lacks(self):
+        """They are added, the value stays; one that there is no more is left as it is."""
+        row = (ENUMERATION, "Order", "Texture", "in what order", ["Helix", "Rows", "Thread"])
+        document = FreeCAD.newDocument("Choices")
+        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        for choices, value, found in (
+            (["Helix", "Rows"], "Rows", row[4]),
+            (["Rows", "Helix"], "Helix", row[4]),
+            (["Helix", "Spiral"], "Spiral", ["Helix", "Spiral"]),
+        ):
+            with self.subTest(value):
+                obj = document.addObject("App::FeaturePython", "Older")
+                obj.addProperty(ENUMERATION, "Order")
+                obj.Order = choices
+                obj.Order = value
+                property_table.add(obj, [row])
+                self.assertEqual((obj.getEnumerationsOfProperty("Order"), obj.Order), (found, value))
 
     def test_names_of_fields_and_properties(self):
         for rows in SETTINGS.values():

@@ -44,7 +44,8 @@ def property_of(field):
 
 
 def add(obj, properties, results=()):
-    """Adds those that `obj` lacks: to a new object all, to one of an older version's document the new ones.
+    """Adds those that `obj` lacks: to a new object all, to one of an older version's document the new ones,
+    and new choices.
     To the prototype that FreeCAD asks what a setup sheet may hold, only what that can be, and without a
     value: it has none until the user gives one."""
     prototype = not hasattr(obj, "TypeId")
@@ -53,10 +54,20 @@ def add(obj, properties, results=()):
             obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
             if not prototype or kind == ENUMERATION:
                 setattr(obj, name, default)  # a list sets an enumeration's choices
+        elif not prototype and kind == ENUMERATION:
+            _complete(obj, name, default)
     for kind, name, group, tip in () if prototype else results:
         if not hasattr(obj, name):
             obj.addProperty(kind, name, group, QT_TRANSLATE_NOOP("App::Property", tip))
         obj.setEditorMode(name, 1)  # read-only
+
+
+def _complete(obj, name, choices):
+    """Gives an enumeration of an older version's document the choices that are new; its value stays."""
+    value = getattr(obj, name)
+    if value in choices and list(obj.getEnumerationsOfProperty(name)) != list(choices):
+        setattr(obj, name, choices)
+        setattr(obj, name, value)
 
 
 def set_defaults(obj, properties):
