@@ -91,6 +91,7 @@ class MeasuredMachine(unittest.TestCase):
             (0.0, 0.0, (0.0, 0.0), 0.0),
             (0.7, 0.0, (0.003, 0.001), 0.003),
             (-1.2, 0.002, (0.0, 0.004), -0.004),
+            (1.5, 0.002, (0.0, 0.0), 0.004),  # so late that for half of the dimples another flute cuts
         ):
             told = self.measured(late, error, play, (0.0, runout), chance)
             wanted = {

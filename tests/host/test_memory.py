@@ -92,7 +92,8 @@ class Memory(WithDocuments):
 
     def test_what_will_surely_be_cut_is_foreseen_before_a_dimple_is_placed(self):
         cut = dict(plan.place_texture(self.given).dimples.counts())["cut"]
-        with mock.patch.object(core.FaceSampler, "place") as place:
+        looked_at_later = mock.patch.object(division, "require_memory")
+        with looked_at_later, mock.patch.object(core.FaceSampler, "place") as place:
             self.refused(0.6 * cut * division.BYTES_PER_DIMPLE, plan.plan_texture)
             place.assert_not_called()
 
