@@ -202,21 +202,25 @@ class Finder:
 
     def _beside_walls(self, given, remedy):
         """The Remedy, of which `given` comes, with a margin that keeps the tool off the part's walls where
-        that is needed; what it leaves out is not good, then. None if none does."""
+        that is needed, the first that leaves what is good; what it leaves out is not. None if none does."""
         incline = remedy.kind == "incline"
         model = orientation.turned_texts(self.model, remedy.axis, remedy.angle) if incline else self.model
         if not room.touches(given, model):
             return remedy
         self.walls = True
+        first = None
         for beside in room.beside_walls(given):
             asked = replace(given, **beside)
-            if not room.touches(asked, model):
-                made = self.assess(asked, 3, whole=True)
-                part = made.dimples / max(1, remedy.assessment.dimples)
-                made.milled_fraction = min(made.milled_fraction, part * remedy.assessment.milled_fraction)
-                fields = {**remedy.fields, **beside}
-                return replace(remedy, fields=fields, assessment=made, walled=True)
-        return None
+            if room.touches(asked, model):
+                continue
+            made = self.assess(asked, 3, whole=True)
+            part = made.dimples / max(1, remedy.assessment.dimples)
+            made.milled_fraction = min(made.milled_fraction, part * remedy.assessment.milled_fraction)
+            walled = replace(remedy, fields={**remedy.fields, **beside}, assessment=made, walled=True)
+            if made.remains_good:
+                return walled
+            first = first or walled
+        return first
 
     def _incline(self, given, leaning, finer=None, laid=False):
         _, angle, axis = leaning
@@ -234,8 +238,8 @@ class Finder:
 
     def _along(self, given, normals, areas):
         """The tool follows the normals, at an angle to them."""
-        fields = {"tool_axis_mode": "Normal", "lead": LEAD, "tilt": 0.0}
-        fields.update(orientation.seen_from(normals, areas))
+        seen = orientation.seen_from(normals, areas)
+        fields = {"tool_axis_mode": "Normal", "lead": LEAD, "tilt": 0.0, **seen}
         return self._chosen_for(replace(given, **fields), "along", fields, angle=LEAD)
 
     def _by_sides(self, given):
@@ -246,17 +250,14 @@ class Finder:
         made, together = sides.find(*looking, asked, self.free, self.can_incline, self.model)
         if not made:
             return []
-        first = made[0]
-        fields = {**self.before, **first.fields}
+        first, fields = made[0], {**self.before, **made[0].fields}
         return [Remedy("sides", fields, together, first.axis, first.angle, made[1:])]
 
     def _lay(self, given):
-        """The lattice on the faces."""
         return self._chosen_for(replace(given, **LAID), "lay", dict(LAID))
 
     def _finer(self, given, part):
-        """Smaller dimples need less tilt."""
-        fields = {"spacing": round(part * given.spacing, 3)}
+        fields = {"spacing": round(part * given.spacing, 3)}  # smaller dimples need less tilt
         return self._chosen_for(replace(given, **fields), "finer", fields)
 
     def _left_out(self, given):
