@@ -41,6 +41,11 @@ class OneClick(driver.unittest.TestCase):
         self.settled(texture_head.GREEN)
         self.assertFalse(self.operation.SameFlute)
         self.assertIn("dimples", self.head.text.text())
+        boxes = self.panel.form.findChildren(QtGui.QToolBox) or [self.panel.form]
+        for number in range(boxes[0].count()):
+            boxes[0].setCurrentIndex(number)
+            driver.rest(0.3)
+            self.assertTrue(self.head.isVisible(), "on every page of the panel")
         driver.accept(self.panel)
         self.assertEqual(self.operation.Proxy.planned.pacing.verdict.holding, "holds")
 

@@ -151,6 +151,7 @@ class Room(driver.BlockTest):
         self.assertTrue(driver.wait(lambda: panel.error is not None, 60))
         self.check(language + ", texture, refused")
         driver.set_quantity(panel, "Spacing", 0.5)
+        self.assertTrue(driver.wait(lambda: panel.error is None, 60))
         self.assertTrue(driver.ready(panel))
         driver.accept(panel)
         for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):

@@ -18,6 +18,7 @@ from patchmill_gui.fields.events import kind_of
 from patchmill_gui.fields.sentences import in_user_units
 from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import plain_label, translate, wrapping_label
+from patchmill_gui.work.room import TASK_VIEW
 
 GREEN, AMBER, RED, GREY = "#2e7d32", "#8a5a00", "#b71c1c", "#5f6368"  # under white text, contrast above 5
 SETTLED_MS = 300  # FreeCAD scrolls to the page that it opens, and OK and Cancel out of sight
@@ -123,11 +124,12 @@ class Head(QtGui.QFrame):
         """Puts the head on top of the scroll area of FreeCAD's panel that holds `form`; its view then begins
         below it. Returns whether there is one."""
         chain = [form]  # kept: PySide takes a widget for deleted when the last name of its parent goes
-        while chain[-1] is not None and not chain[-1].inherits("QScrollArea"):
+        while chain[-1] is not None and chain[-1].metaObject().className() != TASK_VIEW:
             chain.append(chain[-1].parentWidget())
-        area = chain[-1]
-        if area is None:
+        if chain[-1] is None:
             return False
+        # FreeCAD's panel is one, or has one in it (1.1); pages of the tool box have areas of their own
+        area = next(each for each in reversed(chain) if each.inherits("QScrollArea"))
         self._area, self._kept = area, chain
         self._margins = area.viewportMargins()  # those of its contents end when it is resized
         self.setParent(area)
