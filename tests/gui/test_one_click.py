@@ -49,6 +49,17 @@ class OneClick(driver.unittest.TestCase):
         driver.accept(self.panel)
         self.assertEqual(self.operation.Proxy.planned.pacing.verdict.holding, "holds")
 
+    def test_a_choice_that_comes_late_leaves_what_the_user_chose_meanwhile(self):
+        self.begin(plate(25.0))
+        self.settled(texture_head.GREEN)
+        late = self.panel.advising._choice
+        self.assertIn("strategy", late.fields)
+        hands.choose(self.panel.page.properties.rows["Strategy"].editor, "Feed per move")
+        self.assertEqual(self.operation.Strategy, "Feed per move")
+        self.panel.advising._chosen(late)
+        self.assertEqual(self.operation.Strategy, "Feed per move")
+        self.assertIsNone(self.panel.advising._choice)
+
     def test_a_flat_plate_is_red_until_the_fix_is_clicked(self):
         self.begin(plate())
         self.settled(texture_head.RED)

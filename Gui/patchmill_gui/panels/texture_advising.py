@@ -118,7 +118,7 @@ class Advising(QtCore.QObject):
         return self._cutting
 
     def _chosen(self, found):
-        self._choice = found
+        self._choice = found = found if self.following else None  # the user's own came meanwhile
         if found is not None:
             apply.set_fields(self.obj, {**self._cutting, **found.fields})
             self.applying = True
