@@ -18,6 +18,7 @@ import Part  # noqa: E402
 import _patchmill as core  # noqa: E402
 import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
+from patchmill.advice import assessment  # noqa: E402
 from parts import V, WithDocuments, job_on  # noqa: E402
 from patchmill.machine import machines  # noqa: E402
 from patchmill.textures.thread import lattice  # noqa: E402
@@ -59,6 +60,11 @@ def unrolled_steps(found):
 
 
 class Lattice(unittest.TestCase):
+    def test_nothing_of_a_cylinder_looks_away(self):
+        _, op = roller(length=3.0)
+        found = assessment.assess(patchmill.simulate, op.Proxy.texture_input(op))
+        self.assertEqual((found.away_fraction, found.milled_fraction), (0.0, 1.0))
+
     def test_all_neighbours_are_one_spacing_away(self):
         for radius, spacing in ((20.0, 0.5), (4.0, 0.55), (3.7, 1.3), (50.0, 0.21), (1.0, 2.0)):
             for triangular in (True, False):

@@ -137,7 +137,7 @@ def _fractions(given, placed, counts):
     count."""
     on_faces = sum(n for name, n in counts.items() if name not in NOT_ASKED_FOR)
     away = sum(counts[name] for name in TURNED_AWAY)
-    if given.mapping != "Projected":
+    if placed.input.mapping != "Projected":  # as of a thread, whatever is asked for
         return counts["cut"] / max(1, on_faces), away / max(1, on_faces)
     seen = orientation.seen_fraction(given, placed.plane.direction)
     return seen * counts["cut"] / max(1, on_faces - away), 1.0 - seen
