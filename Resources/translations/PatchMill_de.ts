@@ -4304,6 +4304,10 @@ Spindel {:.0f}°</translation>
         <source>the tool&apos;s tip stands at Z {} mm: give more.</source>
         <translation>die Werkzeugspitze steht bei Z {} mm: geben Sie mehr an.</translation>
     </message>
+    <message>
+        <source>the feed would fall below {} mm/min: give more.</source>
+        <translation>der Vorschub fiele unter {} mm/min: geben Sie mehr an.</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

@@ -4304,6 +4304,10 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
         <source>the tool&apos;s tip stands at Z {} mm: give more.</source>
         <translation>工具の先端は Z {} mm にあります：より大きな値を指定してください。</translation>
     </message>
+    <message>
+        <source>the feed would fall below {} mm/min: give more.</source>
+        <translation>送り速度が {} mm/min を下回ります：より大きな値を指定してください。</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

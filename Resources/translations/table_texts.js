@@ -757,6 +757,7 @@ QT_TRANSLATE_NOOP("PatchMill", "the control of the machine {} takes {}: give --p
 QT_TRANSLATE_NOOP("PatchMill", "the direction is parallel to the texture's x axis: choose another one.");
 QT_TRANSLATE_NOOP("PatchMill", "the faces look to all sides alike: switch it off and give a direction.");
 QT_TRANSLATE_NOOP("PatchMill", "the feed makes {} mm a tooth: give the same.");
+QT_TRANSLATE_NOOP("PatchMill", "the feed would fall below {} mm/min: give more.");
 QT_TRANSLATE_NOOP("PatchMill", "the file is read-only: name another one.");
 QT_TRANSLATE_NOOP("PatchMill", "the flat bottom of {} is within its radius, {} mm.");
 QT_TRANSLATE_NOOP("PatchMill", "the folder cannot be made ({}): set PATCHMILL_MACHINES to another one.");

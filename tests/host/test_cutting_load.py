@@ -109,6 +109,7 @@ class CuttingLoad(WithDocuments):
         _, dressup = pocket()
         for name, bad, good in (
             ("ForceLimit", -1.0, 300.0),
+            ("ForceLimit", 1e-300, 300.0),  # no feed at all
             ("PowerLimit", -1.0, 0.0),
             ("SpecificForce", 0.0, 2000.0),
             ("ForceExponent", 1.0, 0.25),

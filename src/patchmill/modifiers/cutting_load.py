@@ -34,6 +34,7 @@ RESULTS = [
     ("App::PropertyFloat", "LargestPower", "Result", "At the tool's edges, in W; 0: no limit of the load"),
     ("App::PropertyFloat", "LargestChip", "Result", "Mean chip thickness, in mm; 0: no limit of the load"),
 ]
+LEAST_FEED = 1e-3  # mm/s: posts write less as zero
 UNITS = {"ForceLimit": "N", "PowerLimit": "W", "ChipLimit": "mm"}
 
 
@@ -112,8 +113,18 @@ def resistance_of(obj):
 
 
 def limited(path, grid, resistance, limits, acceleration):
-    """(path, source) of core.limit_load."""
-    return core.limit_load(path, grid, **vars(resistance), **vars(limits), acceleration=acceleration)
+    """(path, source) of core.limit_load. Raises InputError as that does, and naming a limit that would all
+    but stop the tool."""
+    found = core.limit_load(path, grid, **vars(resistance), **vars(limits), acceleration=acceleration)
+    made = found[0]
+    length = np.linalg.norm(np.diff(np.vstack([[made.start], made.tips]), axis=0), axis=1)
+    timed = ~np.isnan(made.turns) & (length > 0.0)  # rapids have none
+    if not (made.turns[timed] * LEAST_FEED <= length[timed] * made.spindle.speed).all():
+        names = {"ForceLimit": limits.force, "PowerLimit": limits.power, "ChipLimit": limits.chip}
+        name, value = next((n, v) for n, v in names.items() if np.isfinite(v))
+        remedy = "the feed would fall below %g mm/min: give more." % (60.0 * LEAST_FEED)
+        raise InputError(name, "%g %s" % (value, UNITS[name]), remedy)
+    return found
 
 
 def along(path, grid, resistance):
