@@ -4,6 +4,7 @@ what Python keeps of deleted widgets is taken for new ones at their addresses.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import contextlib
 import gc
 import sys
 import traceback
@@ -12,6 +13,12 @@ import driver
 import FreeCAD
 import FreeCADGui
 from patchmill_gui.forms import widgets
+from patchmill_gui.forms.machine_editor import MachineEditor
+from patchmill_gui.forms.post_dialog import PostDialog
+from patchmill_gui.panels.check_panel import CheckPanel
+from patchmill_gui.panels.dcm_panel import DcmPanel
+from patchmill_gui.panels.player import PlayerPanel
+from patchmill_gui.panels.simulate_panel import SimulatePanel
 from patchmill_gui.panels.texture_panel import TexturePanel
 from PySide import QtGui
 
@@ -155,6 +162,52 @@ class ClosedPanels(driver.unittest.TestCase):
         self.document.getObject("DressupDCM").ViewObject.Proxy.panel.accept()
         FreeCADGui.runCommand("Std_Undo")
         self.assertNothingLeft()
+
+    def test_every_panel_and_window_is_made_again_where_a_widget_is_taken_for_a_deleted_one(self):
+        operation, panel = driver.begin_texture(self.part)
+        driver.accept(panel)
+        del panel
+        before = len(widgets._taken)
+        for made, command in (
+            (SimulatePanel, "PatchMill_Simulate"),
+            (CheckPanel, "PatchMill_Check"),
+            (PlayerPanel, "PatchMill_Play"),
+            (PostDialog, "PatchMill_Post"),
+            (MachineEditor, "PatchMill_Machines"),
+            (DcmPanel, "PatchMill_DressupDcm"),
+        ):
+            with self.subTest(command), taken_once(made) as failed:
+                driver.run_on(operation, command)
+                self.assertEqual(len(failed), 1)
+                if made in (PostDialog, MachineEditor):
+                    (window,) = FreeCADGui.getMainWindow().findChildren(made)
+                    window.reject()
+                else:
+                    self.assertTrue(driver.panel_open())
+                    FreeCADGui.Control.closeDialog()
+                driver.rest(0.2)
+        self.assertEqual(len(widgets._taken), before + 6)
+        del widgets._taken[before:]
+
+
+@contextlib.contextmanager
+def taken_once(made):
+    """The first object of the class `made` fails as where PySide takes one of its widgets for a deleted one;
+    gives the list that tells how many did."""
+    failed = []
+    begin = made.__init__
+
+    def fail_once(self, *arguments, **named):
+        if not failed:
+            failed.append(made)
+            raise RuntimeError(DELETED)
+        begin(self, *arguments, **named)
+
+    made.__init__ = fail_once
+    try:
+        yield failed
+    finally:
+        made.__init__ = begin
 
 
 def main():

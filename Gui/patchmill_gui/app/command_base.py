@@ -13,7 +13,7 @@ from PySide import QtGui
 from patchmill_gui.app import tool_paths
 from patchmill_gui.fields.sentences import error_text
 from patchmill_gui.forms.resources import icon
-from patchmill_gui.forms.widgets import forget_closed_panels
+from patchmill_gui.forms.widgets import made_for_user
 
 
 def say(text):
@@ -106,7 +106,6 @@ class PanelCommand(Command):
         return self.target() is not None and not FreeCADGui.Control.activeDialog()
 
     def run(self):
-        forget_closed_panels()
-        panel = self.panel(self.target())
+        panel = made_for_user(lambda: self.panel(self.target()))
         if panel is not None:
             FreeCADGui.Control.showDialog(panel)

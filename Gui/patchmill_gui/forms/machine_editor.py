@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.known_sentences import translated
 from patchmill_gui.fields.sentences import error_text
-from patchmill_gui.forms.widgets import Notice, translate
+from patchmill_gui.forms.widgets import Notice, made_for_user, translate
 
 PLACE = QtCore.Qt.UserRole
 VALUE = 1  # column
@@ -27,7 +27,7 @@ def show(key=None):
         if window.isVisible():
             break
     else:
-        window = MachineEditor(key)
+        window = made_for_user(lambda: MachineEditor(key))
         window.show()
     window.raise_()
     window.activateWindow()

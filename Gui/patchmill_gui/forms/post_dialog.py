@@ -22,6 +22,7 @@ from patchmill_gui.forms.widgets import (
     GOOD_COLOUR,
     busy_cursor,
     guard_editors,
+    made_for_user,
     plain_label,
     translate,
 )
@@ -32,7 +33,8 @@ OFFSETS = ["G54", "G55", "G56", "G57", "G58", "G59"]
 def show(job):
     """Shows the window for a job; returns it. Raises InputError if an operation cannot be planned."""
     with busy_cursor():
-        window = PostDialog(job, proposal.of(job))
+        proposed = proposal.of(job)
+        window = made_for_user(lambda: PostDialog(job, proposed))
     window.show()
     window.raise_()
     window.activateWindow()

@@ -94,6 +94,13 @@ def made_alive(make):
     return make()
 
 
+def made_for_user(make):
+    """A panel or window by `make()`, which begins anew where PySide takes a widget of it for a deleted one:
+    every panel and window that is not FreeCAD's own is made by this."""
+    forget_closed_panels()
+    return made_alive(make)
+
+
 DELETED = "already deleted"  # PySide's words
 MOST_TAKEN = 50
 _taken: list = []

@@ -19,9 +19,9 @@ from patchmill_gui.forms.resources import icon
 from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import (
     button_number,
-    forget_closed_panels,
     guard_editors,
     let_shrink,
+    made_for_user,
     translate,
 )
 from patchmill_gui.views.dcm_colours import LOADS, load_on_path, load_text, slice_of
@@ -263,8 +263,7 @@ class DcmView:
         if not FreeCAD.getActiveTransaction():
             vobj.Object.Document.openTransaction("DCM")
         FreeCADGui.Control.closeDialog()
-        forget_closed_panels()
-        self.panel = DcmPanel(vobj.Object)
+        self.panel = made_for_user(lambda: DcmPanel(vobj.Object))
         FreeCADGui.Control.showDialog(self.panel)
         return True
 
