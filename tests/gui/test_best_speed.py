@@ -38,6 +38,7 @@ class BestSpeed(driver.unittest.TestCase):
         find = self.button("FindSpeed")
         box = find.parent()
         self.click(find)
+        self.assertTrue(driver.wait(lambda: box.said.text(), 10), "the click was not taken")
         self.assertTrue(driver.wait(lambda: not box.work.busy, 120))
         self.assertIsNotNone(box.best, [p.trouble for p in box.curve.found.curve])
         self.assertEqual(operation.ToolController.SpindleSpeed, before)  # nothing behind the user's back

@@ -208,6 +208,20 @@ class Values(driver.BlockTest):
         head.note("A sentence. " * 30)
         self.assertGreater(head.height(), height)
 
+    def test_a_button_stays_under_the_pointer_while_the_head_comes_and_goes(self):
+        self.begin()
+        (button,) = [b for b in self.panel.page.form.findChildren(QtGui.QPushButton)
+                     if b.objectName() == "FindSpeed"]
+        head = self.panel.advising.head
+        driver.rest(0.5)
+        hands.show(button)
+        hands.point_at(button)
+        place = button.mapToGlobal(QtCore.QPoint(0, 0))
+        for sentence in ("A sentence of the head that takes a line or two of it. " * 4, "", "Short", ""):
+            head.note(sentence)
+            driver.rest(0.3)
+            self.assertEqual(button.mapToGlobal(QtCore.QPoint(0, 0)), place)
+
     def test_the_wheel_over_the_panel_edits_nothing(self):
         self.begin()
         for group in self.panel.page.properties.groups.values():

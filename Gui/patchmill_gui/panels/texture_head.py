@@ -181,12 +181,14 @@ class Head(QtGui.QFrame):
 
 
 def _is_at_work_in(area):
-    """Whether a field in a scroll area has the keyboard, or the pointer. It then stays where it is on the
-    screen, however the head's sentences come and go."""
+    """Whether a field in a scroll area has the keyboard, or the pointer is over a field or button of its
+    rows. That then stays where it is on the screen, however the head's sentences come and go."""
     fields = (QtGui.QLineEdit, QtGui.QAbstractSpinBox, QtGui.QComboBox)
+    buttons = (QtGui.QAbstractButton, QtGui.QAbstractSlider, QtGui.QPlainTextEdit)
     app = QtGui.QApplication
-    at_hand = (app.focusWidget(), app.widgetAt(QtGui.QCursor.pos()))
-    return any(isinstance(one, fields) and area.isAncestorOf(one) for one in at_hand)
+    typed, pointed = app.focusWidget(), app.widgetAt(QtGui.QCursor.pos())
+    over = isinstance(pointed, fields + buttons) and area.widget().isAncestorOf(pointed)
+    return over or isinstance(typed, fields) and area.isAncestorOf(typed)
 
 
 def _scroll_to(area, value):
