@@ -16,7 +16,7 @@ from patchmill_gui.panels.simulate_panel import SimulatePanel
 
 class MachineList(driver.BlockTest):
     def setUp(self):
-        super().setUp()
+        self.document, self.part = driver.new_document(driver.wavy_block(12.0, 8.0))
         self.operation, self.panel = driver.begin_texture(self.part)
         rows = self.panel.page.properties.rows
         rows["Machine"].group.heading.setChecked(True)

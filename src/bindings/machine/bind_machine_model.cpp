@@ -83,11 +83,12 @@ auto translated(const Call& call) -> decltype(call()) {
 
 sync::Verdict judge_plan(const std::function<ToolPath(const Spindle&)>& plan,
                          const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
-                         const sync::PhaseRule& rule, const machine::MotionModel& model) {
+                         const sync::PhaseRule& rule, const machine::MotionModel& model,
+                         bool slower) {
   if (!plan) throw InputError("Plan", "None", "give a function from Spindle to ToolPath.");
   const auto plan_in_cpp = [&](const Spindle& s) { return translated([&] { return plan(s); }); };
   return sync::judge(plan_in_cpp, spindle, model, sync::wanted_phases(dimples, rule, spindle),
-                     sync::phase_period(tool.flutes, rule.flutes));
+                     sync::phase_period(tool.flutes, rule.flutes), {}, 0.0, slower);
 }
 
 void bind_paths(py::module_& m) {
@@ -138,9 +139,10 @@ void bind_verdict(py::module_& m) {
       .def_property_readonly("rms", [](const sync::Verdict& v) { return v.rms.radians(); })
       .def_property_readonly("largest", [](const sync::Verdict& v) { return v.largest.radians(); });
   m.def("judge_plan", &judge_plan, py::arg("plan"), py::arg("dimples"), py::arg("tool"),
-        py::arg("spindle"), py::arg("rule"), py::arg("model"),
-        "`plan`: a function from Spindle to ToolPath, tried at several speeds. Raises InputError "
-        "naming Plan. What `plan` raises is raised.");
+        py::arg("spindle"), py::arg("rule"), py::arg("model"), py::arg("slower") = true,
+        "`plan`: a function from Spindle to ToolPath, tried at several speeds, or, without "
+        "`slower`, at the spindle's own only. Raises InputError naming Plan. What `plan` raises is "
+        "raised.");
   m.def("predicted_phase", &predicted_dict, py::arg("path"), py::arg("model"), py::arg("dimples"),
         py::arg("rule"),
         "The motion model's phase error at each dimple, start phase taken away. Raises nothing.");

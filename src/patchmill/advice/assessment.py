@@ -149,7 +149,7 @@ def _whole(simulate, given):
     where there are more dimples than BORDERS_COUNT, or where the texture lies on faces too steep for one
     relief over the plane."""
     try:
-        plan = plan_texture(given)
+        plan = plan_texture(given, slower=False)
         if given.mapping != "Projected" and cells.steepest(plan) > STEEP:
             return None, None
         verdict = plan.pacing.verdict
@@ -291,7 +291,7 @@ def _seen_along(given, direction):
 
 def _patch_alone(simulate, given, few):
     """(PlannedTexture, SimulatedTexture) of one patch, or of all dimples if they are so `few`."""
-    plan = plan_texture(given)
+    plan = plan_texture(given, slower=False)
     half = plan.input.spacing * min(0.5 * WINDOW, 0.5 * given.patch_side)
     window = None if few else ((-half, -half), (half, half))
     return plan, simulate(plan, machine=plan.machine, window=window)

@@ -220,14 +220,18 @@ def _by_time(assess, given, choices, rpms, progress):
     longer where it makes single steps too fast."""
     timed: list[tuple] = []
     for choice in choices:
-        few = choice.assessment.dimples > LARGE or choice.fields["strategy"] in POLYGONS
-        for rpm in (None, *(rpms[FEW - 1 :: FEW] if few else rpms)):
+        polygons = choice.fields["strategy"] in POLYGONS
+        few = choice.assessment.dimples > LARGE or polygons
+        slow = polygons and not choice.assessment.remains_good  # to be planned, for what nobody wants
+        for rpm in (None, *(() if slow else rpms[FEW - 1 :: FEW] if few else rpms)):
             if not progress(0.5):
                 return
             fields = choice.fields if rpm is None else _at_speed(given, choice.fields, rpm)
             seconds = _seconds(replace(given, **fields))
             if seconds is not None:
                 timed.append((seconds, len(timed), rpm or 0.0, choice, fields))
+            elif rpm is None:
+                break  # what is lost at its own speed is lost at a higher one
     too_fast: dict[int, float] = {}
     for _, _, rpm, choice, fields in sorted(timed, key=lambda one: one[:2]):
         if not rpm:
@@ -262,7 +266,7 @@ def _seconds(given):
     """Of milling the whole texture; None where it cannot be planned or its phase is lost. Polygons go from
     patch to patch as they go within one: of them the patches that were looked at say whether it is."""
     try:
-        plan = plan_texture(given)
+        plan = plan_texture(given, slower=False)
     except InputError:
         return None
     verdict = plan.pacing.verdict

@@ -174,7 +174,7 @@ class Finder:
     def _assessed(self, given):
         """Assessment of the texture as it is; None where it cannot be made."""
         try:
-            plan = plan_texture(given)
+            plan = plan_texture(given, slower=False)
             return room.held_against(self.assess(given, 3, whole=True), plan, self.model)
         except InputError:
             return None
@@ -279,7 +279,7 @@ class Finder:
         if end < len(patches):
             fields["steepest_slope"] = round(0.5 * (patches[end - 1].tilt + patches[end].tilt), 1)
         asked = replace(given, **fields)
-        plan_texture(asked)
+        plan_texture(asked, slower=False)
         return Remedy("leave out", fields, self.assess(asked, 3, whole=True))
 
 

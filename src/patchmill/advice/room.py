@@ -103,7 +103,7 @@ def too_narrow(given):
 def touches(given, model):
     """Whether the path of a TextureInput, or shank or holder on it, goes where posting would refuse it in a
     `model` (BREP texts). False where nobody knows: without a model, or if that is no closed solid."""
-    return bool(model) and _plan_touches(plan_texture(given), model)
+    return bool(model) and _plan_touches(plan_texture(given, slower=False), model)
 
 
 def _plan_touches(plan, model):

@@ -246,8 +246,9 @@ def _keep_off_tip(placed):
 
 
 @stoppable
-def plan_texture(given, progress=None):
-    """PlannedTexture of a TextureInput, or None if `progress` (share -> bool) returned False.
+def plan_texture(given, progress=None, slower=True):
+    """PlannedTexture of a TextureInput, or None if `progress` (share -> bool) returned False. `slower`:
+    whether its verdict looks for a lower spindle speed where its own does not hold.
 
     Raises InputError naming the property that is wrong."""
     placed = place_texture(given, progress, to_plan=True)
@@ -259,16 +260,16 @@ def plan_texture(given, progress=None):
         fields, made = threads.pacing(placed)
         return PlannedTexture(**vars(placed), pacing=strategies.Pacing(**made), machine=machine, **fields)
     tried = [
-        _paced(replace(placed, remarks=list(placed.remarks)), direction, machine)
+        _paced(replace(placed, remarks=list(placed.remarks)), direction, machine, slower=slower)
         for direction in rows.candidates(placed.input, placed.division)
     ]
     best = min(tried, key=lambda plan: plan.path.statistics()["timed_seconds"])
     if placed.input.first_patch == 1 and placed.input.last_patch == 0:
         return best
-    return _paced(placed, best.direction, machine, best)
+    return _paced(placed, best.direction, machine, best, slower)
 
 
-def _paced(placed, direction, machine, whole=None):
+def _paced(placed, direction, machine, whole=None, slower=True):
     """PlannedTexture of a PlacedTexture. `direction`: see rows.ordered. `whole`: the PlannedTexture whose
     patches from FirstPatch to LastPatch are to be milled, in its phase. Raises InputError."""
     _put_in_order(placed, direction)
@@ -292,9 +293,7 @@ def _paced(placed, direction, machine, whole=None):
             posture = tool_posture.plan(given, dimples, machine)
             rule = core.with_azimuths(rule, posture.postures)
         pacing = heights.plan_above(
-            given,
-            dimples,
-            placed.remarks,
-            lambda g: strategies.make(g, dimples, rule, machine, posture=posture, whole=whole, before=before),
-        )
+            given, dimples, placed.remarks,
+            lambda g: strategies.make(g, dimples, rule, machine, None, posture, whole, before, slower),
+        )  # fmt: skip
     return PlannedTexture(**vars(placed), rule=rule, pacing=pacing, machine=machine, counts=counts)

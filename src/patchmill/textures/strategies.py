@@ -30,11 +30,11 @@ class Pacing:
     posture: object = None  # tool_posture.Posture where rotary axes are used
 
 
-def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None, before=0):
+def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None, before=0, slower=True):
     """Pacing of the dimples. `given` is a TextureInput, `machine` a machines.Machine or None, `posture` a
     tool_posture.Posture or None; `path_of`, if given, makes the ToolPath of a Spindle instead of the
     strategy; `whole` is a plan of which these are some dimples, `before` of it come before them: a locked
-    path gets its phase.
+    path gets its phase. `slower`: whether the verdict looks for a lower speed where its own does not hold.
     Raises InputError naming Strategy, Machine or what the core names."""
     strategy = of(given.strategy)
     strategy.require(machine)
@@ -60,7 +60,7 @@ def make(given, dimples, rule, machine, path_of=None, posture=None, whole=None, 
     verdict = None
     if machine is not None:
         judged = plan if partly else started
-        verdict = core.judge_plan(judged, dimples, given.tool, given.spindle, rule, machine.model)
+        verdict = core.judge_plan(judged, dimples, given.tool, given.spindle, rule, machine.model, slower)
         path = (
             _in_phase_of(whole, before, path, given, rule)
             if partly

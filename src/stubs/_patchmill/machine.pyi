@@ -190,8 +190,8 @@ def freecad_paced_text(path: _patchmill.path.ToolPath, model: MotionModel, decim
 def freecad_text(path: _patchmill.path.ToolPath, feed: typing.Optional[float], decimals: int, exact_stop: bool = False) -> PathText:
     """A constant-feed path as text for Path.Path(text); `feed` [mm/s], or None for a path whose moves have their own. `exact_stop`: G61 first. Raises InputError naming Feed or Decimals."""
     ...
-def judge_plan(plan: typing.Callable[[_patchmill.path.Spindle], _patchmill.path.ToolPath], dimples: _patchmill.patch.Dimples, tool: _patchmill.path.Tool, spindle: _patchmill.path.Spindle, rule: _patchmill.sync.PhaseRule, model: MotionModel) -> Verdict:
-    """`plan`: a function from Spindle to ToolPath, tried at several speeds. Raises InputError naming Plan. What `plan` raises is raised."""
+def judge_plan(plan: typing.Callable[[_patchmill.path.Spindle], _patchmill.path.ToolPath], dimples: _patchmill.patch.Dimples, tool: _patchmill.path.Tool, spindle: _patchmill.path.Spindle, rule: _patchmill.sync.PhaseRule, model: MotionModel, slower: bool = True) -> Verdict:
+    """`plan`: a function from Spindle to ToolPath, tried at several speeds, or, without `slower`, at the spindle's own only. Raises InputError naming Plan. What `plan` raises is raised."""
     ...
 def match_plan(read: _patchmill.path.ToolPath, plan: _patchmill.path.ToolPath, tolerance: float) -> PlanMatch:
     """Gives the moves of `read` the kinds and dimple numbers of `plan`, in place. Raises InputError naming Tolerance."""

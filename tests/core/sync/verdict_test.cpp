@@ -50,6 +50,29 @@ TEST(Verdict, ALockHoldsAndDoesNotMindTheSpindle) {
   EXPECT_LT(verdict.largest.degrees(), 9.0);
 }
 
+// Where only the own speed matters, none below it is planned, and the sentence does not say what was not seen.
+TEST(Verdict, NoOtherSpeedIsPlannedWhereOnlyTheOwnIsAskedFor) {
+  Plan plan;
+  plan.spindle.speed = 3000.0 / 60.0;
+  std::vector<double> asked;
+  const auto making = [&](const Spindle& s) {
+    asked.push_back(s.speed);
+    return plan.at(s);
+  };
+  const auto judged = [&](bool slower) {
+    asked.clear();
+    return judge(making, plan.spindle, plan.model, plan.wanted(), kPeriod, {}, 0.0, slower);
+  };
+  EXPECT_NE(judged(true).holding, Holding::Holds);
+  EXPECT_GT(asked.size(), 1U);
+  const Verdict own = judged(false);
+  EXPECT_EQ(own.holding, Holding::Cannot);
+  EXPECT_EQ(asked, std::vector<double>{plan.spindle.speed});
+  EXPECT_NE(own.sentence.find("no other speed was tried"), std::string::npos) << own.sentence;
+  plan.spindle.speed = 1000.0 / 60.0;
+  EXPECT_EQ(judged(false).sentence, judged(true).sentence);  // what holds is said as ever
+}
+
 // LinuxCNC's log at 3000 rpm, 2 flutes and 1 ms, ten periods to a tooth, was off by 17 degrees (docs/rows.md).
 TEST(Verdict, ALockIsNotSaidToHoldWhereAToothPassesInTenPeriods) {
   Plan plan;

@@ -150,7 +150,7 @@ std::string off_by(const Attempt& attempt) {
 
 Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle& spindle,
               const machine::MotionModel& model, const std::vector<Angle>& wanted, Angle period,
-              const PhaseLimits& limits, double slack) {
+              const PhaseLimits& limits, double slack, bool slower) {
   const Trial trial{plan, spindle, model, wanted, period, limits, slack};
   const Attempt planned = trial.at(spindle.speed);
   Verdict verdict;
@@ -168,10 +168,11 @@ Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle
   }
   const std::string why =
       planned.trouble.empty() ? "the phase would be " + off_by(planned) : planned.trouble;
-  verdict.speed = trial.highest();
+  verdict.speed = slower ? trial.highest() : 0.0;
   if (verdict.speed == 0.0) {
     verdict.holding = Holding::Cannot;
-    verdict.sentence = "Cannot hold: " + why + ", and no slower spindle helps.";
+    verdict.sentence = "Cannot hold: " + why +
+                       (slower ? ", and no slower spindle helps." : "; no other speed was tried.");
     return verdict;
   }
   verdict.holding = Holding::HoldsUpTo;

@@ -52,9 +52,9 @@ struct Verdict {
 /// `plan` makes the path for a spindle; it may throw InputError, which counts as not holding at
 /// that speed (and is the sentence if it does so at all of them). Speeds down to a hundredth are
 /// tried, and from the first that holds up in steps of 3 % until one does not. `slack`: the spindle's true speed may
-/// be off by this share either way.
+/// be off by this share either way. `slower`: false where it is enough to know whether the planned speed holds.
 Verdict judge(const std::function<ToolPath(const Spindle&)>& plan, const Spindle& spindle,
               const machine::MotionModel& model, const std::vector<Angle>& wanted, Angle period,
-              const PhaseLimits& limits = {}, double slack = 0.0);
+              const PhaseLimits& limits = {}, double slack = 0.0, bool slower = true);
 
 }  // namespace patchmill::sync
