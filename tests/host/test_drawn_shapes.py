@@ -16,6 +16,7 @@ import Part  # noqa: E402
 import patchmill  # noqa: E402
 from parts import WithDocuments  # noqa: E402
 from patchmill import InputError  # noqa: E402
+from patchmill.advice import apply  # noqa: E402
 from patchmill.freecad import host  # noqa: E402
 from patchmill.geometry import shapes  # noqa: E402
 from patchmill.voxels import materials  # noqa: E402
@@ -196,6 +197,41 @@ class DrawnShapes(WithDocuments):
         with self.assertRaises(InputError) as caught:
             patchmill.check(op)
         self.assertEqual(caught.exception.property, "Model")
+
+    def model_of(self, job):
+        return [[model.Shape] for model in job.Model.Group]
+
+    def test_a_shape_that_stays_is_written_and_measured_once(self):
+        job = self.job()
+        op = self.texture(job, job.Model.Group[0])
+        self.document.recompute()
+        texts, made = shapes.BrepTexts(), []
+        written = texts.of(self.model_of(job), lambda parts: made.append(1) or parts[0])
+        shapes._is_inside_out.cache_clear()
+        for _ in range(3):
+            again = texts.of(self.model_of(job), self.fail)
+            self.assertEqual(again, written)
+            first = op.Proxy.texture_input(op).breps
+        self.assertEqual(len(made), 1)
+        self.assertEqual(shapes._is_inside_out.cache_info().misses, 1)
+        self.part.Shape = Part.makeBox(16, 12, 5, V(-8, -6, -4))
+        op.Base = [(job.Model.Group[0], ["Face6"])]
+        self.document.recompute()
+        self.assertNotEqual(texts.of(self.model_of(job), lambda parts: parts[0]), written)
+        self.assertNotEqual(op.Proxy.texture_input(op).breps, first)
+        self.assertEqual(shapes._is_inside_out.cache_info().misses, 2)
+        self.part.Shape = self.part.Shape.reversed()
+        self.document.recompute()
+        self.assertRaises(InputError, op.Proxy.texture_input, op)
+
+    def test_the_model_of_a_job_with_a_mesh_is_what_has_a_shape(self):
+        job = self.job()
+        op = self.texture(job, job.Model.Group[0])
+        mesh = self.document.addObject("Mesh::Feature", "Mesh")
+        mesh.Mesh = Mesh.Mesh(Part.makeBox(2, 2, 2, V(20, 0, 0)).tessellate(0.1))
+        job.Model.Group = job.Model.Group + [mesh]
+        self.document.recompute()
+        self.assertEqual(apply.model_of(op), [shapes.drawn(job.Model.Group[0]).exportBrepToString()])
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ from functools import partial
 
 from _patchmill import InputError
 from patchmill.advice import apply, assessment, choice, companions, remedies, room, sides
+from patchmill.geometry.shapes import BrepTexts
 from patchmill.textures import strategies
 from patchmill.textures.order.rows import THREAD
 from patchmill.verify.simulation import simulate
@@ -78,6 +79,7 @@ class Advising(QtCore.QObject):
         self._placed = self._planned = self._before = self._choice = self._chosen_for = None
         self.following = False  # the values of a new texture follow the others until the user edits them
         self.applying = False  # its own values are being shown: no edit of the user's
+        self._model_texts = BrepTexts()
         self._controller, self._cutting = None, {}  # feed and spindle of a controller before a choice
 
     def follow(self):
@@ -153,7 +155,7 @@ class Advising(QtCore.QObject):
     def assess(self, planned):
         """Begins to find out how good a PlannedTexture is."""
         self._planned = planned
-        others, model = self._others(), apply.model_of(self.obj)
+        others, model = self._others(), apply.model_of(self.obj, self._model_texts)
         self.helping.cancel()
         self.assessing.start(lambda progress: _assess_and_draw(planned, others, model, progress))
 
@@ -197,7 +199,7 @@ class Advising(QtCore.QObject):
         if any(getattr(given, name) != value for name, value in chosen.items()):
             chosen = None
         self.head.note(translate("PatchMill", "Looking for what helps …"))
-        before, model = self._as_before(), apply.model_of(self.obj)
+        before, model = self._as_before(), apply.model_of(self.obj, self._model_texts)
         finder = remedies.Finder(assess, choose, free, can_incline, chosen or None, before, model)
         self.helping.start(lambda progress: _find_help(finder, given, progress))
 

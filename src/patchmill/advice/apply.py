@@ -11,6 +11,7 @@ from FreeCAD import Placement, Rotation, Vector
 
 from patchmill.advice import assessment, choice, companions
 from patchmill.freecad import host, tool_controller
+from patchmill.geometry import shapes
 from patchmill.properties.property_table import property_of
 
 CONTROLLER = ("feed", "spindle", "tool")  # fields that are the tool controller's
@@ -127,6 +128,9 @@ def can_incline(obj):
     return not others_of(obj)
 
 
-def model_of(obj):
-    """BREP texts of the job's model: all of it is turned when the part is, and the tool is to keep off it."""
-    return [model.Shape.exportBrepToString() for model in host.PathUtils.findParentJob(obj).Model.Group]
+def model_of(obj, texts=None):
+    """BREP texts of the job's model: all of it is turned when the part is, and the tool is to keep off it.
+    `texts`: a shapes.BrepTexts that keeps them for the next time."""
+    drawn = [shapes.drawn(model) for model in host.PathUtils.findParentJob(obj).Model.Group]
+    texts = texts or shapes.BrepTexts()
+    return texts.of([[shape] for shape in drawn if shape is not None], lambda group: group[0])

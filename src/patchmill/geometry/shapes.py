@@ -4,6 +4,8 @@ are in, which an object's own Shape does not have; through links; of meshes as s
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import functools
+
 import FreeCAD
 import Part
 from _patchmill import InputError
@@ -35,6 +37,25 @@ def _placement_around(obj):
     return placement
 
 
+class _Key:
+    """A Part.Shape to look up by: FreeCAD hands out the same one in new objects until it is recomputed."""
+
+    def __init__(self, shape):
+        self.shape = shape
+
+    def __hash__(self):
+        return self.shape.hashCode()
+
+    def __eq__(self, other):
+        return self.shape.isEqual(other.shape)
+
+
+@functools.lru_cache(maxsize=16)
+def _is_inside_out(solid):
+    """Of the _Key of a solid: asked at every preview, and half a second's work for a thousand faces."""
+    return solid.shape.Volume < 0.0
+
+
 def models(job):
     """Shapes of the job's models that have faces: sketches and curves among them bound nothing. Raises
     InputError naming Model if there is none, or for a mesh that is no closed solid."""
@@ -48,7 +69,7 @@ def models(job):
 def _of_model(job, model):
     shape = drawn(model)
     mesh = getattr(model, "Mesh", None) or getattr(job.Proxy.baseObject(job, model), "Mesh", None)
-    if shape is not None and any(solid.Volume < 0.0 for solid in shape.Solids):
+    if shape is not None and any(_is_inside_out(_Key(solid)) for solid in shape.Solids):
         remedy = "it is inside out, its faces look into it: reverse the shape, or make the solid again."
         raise InputError("Model", model.Label, remedy)
     if shape is not None or mesh is None:
@@ -63,6 +84,22 @@ def _of_model(job, model):
     shape = Part.makeSolid(shape)
     shape.Placement = model.Placement
     return shape
+
+
+class BrepTexts:
+    """BREP texts that are asked for again and again: FreeCAD hands out the same shape until it is recomputed,
+    and writing that of a thousand faces takes as long as a hand notices."""
+
+    def __init__(self):
+        self._known = {}  # of the last call
+
+    def of(self, groups, make=Part.Compound):
+        """The text of each list of Part.Shapes in `groups`, of which `make` makes the shape that is written;
+        one that was so the last time is not written again."""
+        keys = [tuple(map(_Key, group)) for group in groups]
+        known = self._known
+        self._known = {k: known.get(k) or make([s.shape for s in k]).exportBrepToString() for k in keys}
+        return [self._known[key] for key in keys]
 
 
 def kind_of_bit(kind, bit):

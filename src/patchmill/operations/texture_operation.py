@@ -10,7 +10,6 @@ import math
 from dataclasses import dataclass, fields
 
 import FreeCAD
-import Part
 import _patchmill as core
 from _patchmill import InputError
 
@@ -68,6 +67,7 @@ class ObjectTexture(BallEndOperation):
     OWN_PROPERTIES: list = []
     OWN_RESULTS: list = []
     planned = ready = None  # noqa: F811
+    face_texts = None  # a shapes.BrepTexts; not saved
     posture_field = None  # instead of PostureField: (positions, normals) -> (n, 3) axes; not saved
 
     @classmethod
@@ -111,7 +111,7 @@ class ObjectTexture(BallEndOperation):
             )
         tool = _tool(controller, obj)
         return TextureInput(
-            breps=_face_breps(obj),
+            breps=self._face_breps(obj),
             tool=tool,
             spindle=core.Spindle(speed / 60.0, tool_controller.sense(controller)),
             feed=controller.HorizFeed.Value,
@@ -124,6 +124,20 @@ class ObjectTexture(BallEndOperation):
             posture_field=self.posture_field or axis_field.of(obj, tool.radius),
             **_values(obj, self.properties()),
         )
+
+    def _face_breps(self, obj):
+        """BREP texts of the faces, those of one object in one: they keep the edges that they share, which are
+        no borders."""
+        faces: dict = {}  # by object
+        job = made_from.job_of(obj)
+        for base, names in obj.Base:
+            base = shapes.model_of(job, base)
+            found = made_from.faces_of(base, names, "select faces, nothing else.")
+            faces.setdefault(base.Name, []).extend(found)
+        if not faces:
+            raise InputError("Base", "nothing", "select at least one face of the job's model.")
+        self.face_texts = self.face_texts or shapes.BrepTexts()
+        return self.face_texts.of(faces.values())
 
 
 def _values(obj, properties):
@@ -166,18 +180,6 @@ def _mask(obj):
         depth_at_black=obj.DepthAtBlack.Value,
         depth_at_white=obj.DepthAtWhite.Value,
     )
-
-
-def _face_breps(obj):
-    faces: dict = {}  # by object: faces in one text keep the edges that they share, which are no borders
-    job = made_from.job_of(obj)
-    for base, names in obj.Base:
-        base = shapes.model_of(job, base)
-        found = made_from.faces_of(base, names, "select faces, nothing else.")
-        faces.setdefault(base.Name, []).extend(found)
-    if not faces:
-        raise InputError("Base", "nothing", "select at least one face of the job's model.")
-    return [Part.Compound(found).exportBrepToString() for found in faces.values()]
 
 
 def _tool(controller, obj):
