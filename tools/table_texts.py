@@ -56,6 +56,8 @@ SIMULATED = (  # the names in SimulatedTexture.rows
     "cut below the part, at most",
     "grid",
 )
+# what a machine file may say that is no name of a controller or axis
+MACHINE_WORDS = ("yes", "no", "table", "head", "tip", "ball centre", "index", "at speed")
 ARRAYS = ("square", "staggered", "oblique", "irregular")
 HEAD = """// Texts that are shown from tables: made by tools/table_texts.py for lupdate, read by nobody else.
 // SPDX-License-Identifier: LGPL-2.1-or-later
@@ -79,6 +81,7 @@ def table_texts():
     found += [("PatchMill", state) for state in core.state_colours()]
     found += [("PatchMill", array) for array in ARRAYS]
     found += [("PatchMill", name) for name in SIMULATED]
+    found += [("PatchMill", word) for word in MACHINE_WORDS]
     for key in machines.names():
         found += [("PatchMill", row.label) for row in machine_table.rows(machines.load(key).data)]
     return found

@@ -1647,14 +1647,6 @@
         <translation>Seite {:.4f} mm, Bahnabstand {:.4f} mm, Zahnvorschub {:.4f} mm: {}</translation>
     </message>
     <message>
-        <source>(none: phase not judged)</source>
-        <translation>(keine: Phase nicht beurteilt)</translation>
-    </message>
-    <message>
-        <source>(none: no limits)</source>
-        <translation>(keine: ohne Grenzen)</translation>
-    </message>
-    <message>
         <source>(none)</source>
         <translation>(keine)</translation>
     </message>
@@ -1861,16 +1853,6 @@
     <message>
         <source>Play</source>
         <translation>Abspielen</translation>
-    </message>
-    <message>
-        <source>{} of {}
-move {} of {}{}
-X {:.3f}  Y {:.3f}  Z {:.3f}
-spindle {:.0f}°</source>
-        <translation>{} von {}
-Satz {} von {}{}
-X {:.3f}  Y {:.3f}  Z {:.3f}
-Spindel {:.0f}°</translation>
     </message>
     <message>
         <source>, to dimple {}</source>
@@ -2083,10 +2065,6 @@ Spindel {:.0f}°</translation>
     <message>
         <source>No speed from S{} to S{} holds.</source>
         <translation>Keine Drehzahl von S{} bis S{} hält die Phase.</translation>
-    </message>
-    <message>
-        <source>S{} takes {:.0f} s, the phase off by up to {:.1f}°. None that holds is faster.</source>
-        <translation>S{} braucht {:.0f} s, die Phase weicht um bis zu {:.1f}° ab. Keine, die hält, ist schneller.</translation>
     </message>
     <message>
         <source>Set S{}</source>
@@ -4307,6 +4285,56 @@ Spindel {:.0f}°</translation>
     <message>
         <source>the feed would fall below {} mm/min: give more.</source>
         <translation>der Vorschub fiele unter {} mm/min: geben Sie mehr an.</translation>
+    </message>
+    <message>
+        <source>Go on without saving what was changed?</source>
+        <translation>Ohne zu speichern weitermachen?</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>ball centre</source>
+        <translation>Kugelmitte</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>Indeximpuls</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>bei erreichter Drehzahl</translation>
+    </message>
+    <message>
+        <source>{} of {}
+move {} of {}{}
+X {}  Y {}  Z {} {}
+spindle {:.0f}°</source>
+        <translation>{} von {}
+Satz {} von {}{}
+X {}  Y {}  Z {} {}
+Spindel {:.0f}°</translation>
+    </message>
+    <message>
+        <source>S{} takes {}, the phase off by up to {:.1f}°. None that holds is faster.</source>
+        <translation>S{} braucht {}, die Phase weicht um bis zu {:.1f}° ab. Keine, die hält, ist schneller.</translation>
     </message>
 </context>
 <context>

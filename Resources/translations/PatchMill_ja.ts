@@ -1647,14 +1647,6 @@
         <translation>辺 {:.4f} mm、ピックフィード {:.4f} mm、一刃送り {:.4f} mm: {}</translation>
     </message>
     <message>
-        <source>(none: phase not judged)</source>
-        <translation>(なし: 位相を判定しない)</translation>
-    </message>
-    <message>
-        <source>(none: no limits)</source>
-        <translation>(なし: 制限なし)</translation>
-    </message>
-    <message>
         <source>(none)</source>
         <translation>(なし)</translation>
     </message>
@@ -1861,16 +1853,6 @@
     <message>
         <source>Play</source>
         <translation>再生</translation>
-    </message>
-    <message>
-        <source>{} of {}
-move {} of {}{}
-X {:.3f}  Y {:.3f}  Z {:.3f}
-spindle {:.0f}°</source>
-        <translation>{} / {}
-移動 {} / {}{}
-X {:.3f}  Y {:.3f}  Z {:.3f}
-主軸 {:.0f}°</translation>
     </message>
     <message>
         <source>, to dimple {}</source>
@@ -2083,10 +2065,6 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     <message>
         <source>No speed from S{} to S{} holds.</source>
         <translation>S{} から S{} までに位相を保つ回転数はありません。</translation>
-    </message>
-    <message>
-        <source>S{} takes {:.0f} s, the phase off by up to {:.1f}°. None that holds is faster.</source>
-        <translation>S{} では {:.0f} 秒、位相のずれは最大 {:.1f}°。位相を保つものでこれより速いものはありません。</translation>
     </message>
     <message>
         <source>Set S{}</source>
@@ -4307,6 +4285,56 @@ X {:.3f}  Y {:.3f}  Z {:.3f}
     <message>
         <source>the feed would fall below {} mm/min: give more.</source>
         <translation>送り速度が {} mm/min を下回ります：より大きな値を指定してください。</translation>
+    </message>
+    <message>
+        <source>Go on without saving what was changed?</source>
+        <translation>変更を保存せずに続けますか?</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>テーブル</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>ヘッド</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>先端</translation>
+    </message>
+    <message>
+        <source>ball centre</source>
+        <translation>ボール中心</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>インデックス</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>回転数到達時</translation>
+    </message>
+    <message>
+        <source>{} of {}
+move {} of {}{}
+X {}  Y {}  Z {} {}
+spindle {:.0f}°</source>
+        <translation>{} / {}
+移動 {} / {}{}
+X {}  Y {}  Z {} {}
+主軸 {:.0f}°</translation>
+    </message>
+    <message>
+        <source>S{} takes {}, the phase off by up to {:.1f}°. None that holds is faster.</source>
+        <translation>S{} では {}、位相のずれは最大 {:.1f}°。位相を保つものでこれより速いものはありません。</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,8 @@ import FreeCAD
 import FreeCADGui
 import hands
 from patchmill.machine import machines
-from PySide import QtGui
+from patchmill_gui.forms import machine_editor
+from PySide import QtCore, QtGui
 
 AXIS = "[AXIS_%s]\nMAX_VELOCITY = 50\nMAX_ACCELERATION = 750\nMIN_LIMIT = -100\nMAX_LIMIT = 100\n"
 CONFIGURATION = "[KINS]\nKINEMATICS = trivkins\n[HAL]\nHALFILE = mill.hal\n"
@@ -78,6 +79,61 @@ class EditsMachines(unittest.TestCase):
         self.assertEqual(self.editor.choice.currentText(), "ours")
         self.assertEqual(machines.load("ours").controller["dialect"], "fanuc")
         self.assertEqual(machines.load("table-table-ac").controller["dialect"], "linuxcnc")
+
+    def test_words_are_the_users_and_what_is_saved_the_files(self):
+        self.close()
+        FreeCADGui.setLocale("German")
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        self.editor = machine_editor.show("table-table-ac")
+        boxes = {place: self.editor.tree.itemWidget(item, 1) for place, item in self.editor.items.items()}
+        shown = {place: box.currentText() for place, box in boxes.items() if box is not None}
+        self.assertEqual(shown["rotary_axes", "0", "side"], "Tisch")
+        self.assertEqual(shown["controller", "tcp"], "ja")
+        hands.give_keyboard(self.editor)
+        hands.choose(boxes["controller", "tcp"], "nein")
+        self.assertIs(self.editor.data["controller"]["tcp"], False)
+        self.assertTrue(self.editor.changed)
+
+    def test_the_wheel_over_a_choice_changes_nothing(self):
+        self.choose("table-table-ac")
+        before = self.editor.data
+        for box in (self.editor.choice, self.editor.tree.itemWidget(self.editor.items["axes",], 1)):
+            hands.show(box)
+            hands.wheel(box, 2)
+            hands.wheel(box, -1)
+        self.assertEqual((self.editor.key, self.editor.data), ("table-table-ac", before))
+        self.assertFalse(self.editor.changed)
+
+    def answer(self, key):
+        """The next message box gets a key."""
+
+        def press():
+            box = QtGui.QApplication.activeModalWidget()
+            if box is None:
+                return QtCore.QTimer.singleShot(20, press)
+            hands.give_keyboard(box)
+            self.asked.append(box.text())
+            button = box.button(QtGui.QMessageBox.Yes if key == "y" else QtGui.QMessageBox.No)
+            hands.click(button)
+
+        QtCore.QTimer.singleShot(20, press)
+
+    def test_what_was_typed_goes_for_another_machine_only_if_the_user_says_so(self):
+        self.asked, application = [], QtGui.QApplication.instance()
+        application.setProperty("answered", True)
+        self.addCleanup(application.setProperty, "answered", False)
+        self.choose("linuxcnc-mill")
+        self.type(ACCELERATION, "850")
+        for key, shown in (("n", "linuxcnc-mill"), ("y", "haas-mill")):
+            self.answer(key)
+            hands.choose(self.editor.choice, "haas-mill")
+            self.assertTrue(driver.wait(lambda: len(self.asked) == ("ny".index(key) + 1), 10))
+            driver.rest(0.3)
+            self.assertEqual(self.editor.key, shown)
+            self.assertEqual(self.editor.choice.currentText(), shown)
+            self.assertEqual(self.editor.changed, key == "n")
+            if key == "n":
+                self.assertEqual(self.editor.items[ACCELERATION].text(1), "850")
 
     def test_a_name_that_is_no_file_name_is_refused(self):
         self.choose("linuxcnc-mill")

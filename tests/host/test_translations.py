@@ -13,6 +13,8 @@ import xml.etree.ElementTree as ElementTree
 from unittest import mock
 
 from _patchmill import InputError
+from patchmill.machine import machine_table, machines
+from patchmill.machine.schema import AXES, DIALECTS
 from patchmill_gui.fields import known_sentences
 from PySide import QtCore
 
@@ -39,6 +41,7 @@ FROM_TABLES = {
     ("texture_summary.py", "name"),
     ("known_sentences.py", "known"),
     ("machine_editor.py", "row.label"),
+    ("machine_editor.py", "word"),
     ("texture_panel.py", "text"),
     ("texture_head.py", "patch.array"),
     ("property_table.py", "tip"),
@@ -95,6 +98,11 @@ class Translations(unittest.TestCase):
     def test_the_texts_of_tables_are_up_to_date(self):
         written = table_texts.FILE.read_text(encoding="utf-8")
         self.assertEqual(written, table_texts.text_of_file(), "run tools/translations")
+
+    def test_what_machine_files_may_say_is_translated_but_for_names(self):
+        rows = [row for key in machines.names() for row in machine_table.rows(machines.load(key).data)]
+        words = {word for row in rows for word in row.words} - {""} - set(DIALECTS) - set(AXES)
+        self.assertEqual({word for word in words if len(word) > 1}, set(table_texts.MACHINE_WORDS))
 
     def test_no_text_is_shown_as_it_is_written(self):
         bare = []

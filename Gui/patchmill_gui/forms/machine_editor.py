@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.known_sentences import translated
 from patchmill_gui.fields.sentences import error_text
-from patchmill_gui.forms.widgets import Notice, made_for_user, translate
+from patchmill_gui.forms.widgets import Notice, guard_editors, made_for_user, translate
 
 PLACE = QtCore.Qt.UserRole
 VALUE = 1  # column
@@ -68,6 +68,7 @@ class MachineEditor(QtGui.QDialog):
             ("close", translate("PatchMill", "Close"), self.reject),
         ]:
             button = self.buttons[name] = QtGui.QPushButton(text)
+            button.setObjectName(name)
             button.setAutoDefault(False)
             button.clicked.connect(lambda checked=False, call=call: call())
             row.addWidget(button)
@@ -78,10 +79,18 @@ class MachineEditor(QtGui.QDialog):
         for widget in (self.choice, self.where, self.tree, self.message):
             layout.addWidget(widget)
         layout.addLayout(row)
-        self.choice.activated.connect(lambda _: self.show_machine(self.choice.currentText()))
+        guard_editors(self.choice)
+        self.choice.activated.connect(self._chosen)
         self.tree.itemChanged.connect(self._typed)
         self.tree.itemClicked.connect(self._edit)
         self.tree.itemActivated.connect(self._edit)
+
+    def _chosen(self, _):
+        """Another machine, if what was typed for this one may go."""
+        if self._may_go(translate("PatchMill", "Go on without saving what was changed?")):
+            self.show_machine(self.choice.currentText())
+        else:
+            self.choice.setCurrentIndex(self.choice.findText(self.key))
 
     def _list(self, key):
         names = machines.names()
@@ -133,14 +142,20 @@ class MachineEditor(QtGui.QDialog):
 
     def _fill_value(self, item, row):
         if row.words:
-            box = QtGui.QComboBox()
-            box.addItems(row.words)
-            box.setCurrentText(row.text)
-            box.currentTextChanged.connect(lambda text, place=row.place: self.set_text(place, text))
-            self.tree.setItemWidget(item, VALUE, box)
+            self.tree.setItemWidget(item, VALUE, self._choices(row))
         else:
             item.setText(VALUE, row.text)
             item.setFlags(item.flags() | QtCore.Qt.ItemIsEditable)
+
+    def _choices(self, row):
+        """A box with the row's words as the user says them. The wheel passes over it."""
+        box = QtGui.QComboBox()
+        for word in row.words:
+            box.addItem(translate("PatchMill", word), word)
+        box.setCurrentIndex(box.findData(row.text))
+        box.currentIndexChanged.connect(lambda index: self.set_text(row.place, box.itemData(index)))
+        guard_editors(box)
+        return box
 
     def _edit(self, item, column):
         if item.flags() & QtCore.Qt.ItemIsEditable:
@@ -183,6 +198,8 @@ class MachineEditor(QtGui.QDialog):
             self.save(name.strip())
 
     def _ask_import(self):
+        if not self._may_go(translate("PatchMill", "Go on without saving what was changed?")):
+            return
         name, _ = QtGui.QFileDialog.getOpenFileName(
             self,
             translate("PatchMill", "Machine of LinuxCNC or FreeCAD"),
@@ -217,16 +234,16 @@ class MachineEditor(QtGui.QDialog):
         machines.remove(self.key)
         self._list(self.key)
 
+    def _may_go(self, question):
+        """Whether nothing was changed, or the user gives it up."""
+        if not self.changed:
+            return True
+        answer = QtGui.QMessageBox.question(self, translate("PatchMill", "Machines"), question)
+        return answer == QtGui.QMessageBox.Yes
+
     def reject(self):
-        if self.changed:
-            answer = QtGui.QMessageBox.question(
-                self,
-                translate("PatchMill", "Machines"),
-                translate("PatchMill", "Close without saving what was changed?"),
-            )
-            if answer != QtGui.QMessageBox.Yes:
-                return
-        super().reject()
+        if self._may_go(translate("PatchMill", "Close without saving what was changed?")):
+            super().reject()
 
     def _say(self, error):
         self.message.setText(error_text(error) if error else "")
