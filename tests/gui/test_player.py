@@ -3,8 +3,9 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-import FreeCADGui
 import driver
+import FreeCAD
+import FreeCADGui
 import hands
 import numpy as np
 from patchmill.verify.checks import CLEAR, VIOLATED
@@ -47,6 +48,18 @@ class Player(driver.TexturedTest):
         tip, axis, _, _ = panel.line.at(panel.moment)
         np.testing.assert_allclose(at, tip + self.path.tool.radius * axis, atol=1e-4)
         panel.reject()
+
+    def test_places_are_told_in_the_users_unit(self):
+        self.addCleanup(FreeCAD.Units.setSchema, 0)
+        for schema, unit, millimetres in ((0, "mm", 1.0), (3, "in", 25.4)):
+            FreeCAD.Units.setSchema(schema)
+            panel = PlayerPanel(self.operation, self.path)
+            panel.go_to(0.5 * panel.line.seconds)
+            line = panel.place.text().splitlines()[2].split()
+            self.assertEqual((line[:6:2], line[6]), (["X", "Y", "Z"], unit))
+            told = millimetres * np.array([float(number) for number in line[1:6:2]])
+            np.testing.assert_allclose(told, panel.line.at(panel.moment)[0], atol=2e-3)
+            panel.reject()
 
     def test_way_and_dimples_grow_to_the_moment_and_no_further(self):
         scene = self.operation.ViewObject.Proxy.scene

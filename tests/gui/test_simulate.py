@@ -5,7 +5,9 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import os
 import tempfile
+from unittest import mock
 
+import FreeCAD
 import FreeCADGui
 import driver
 import hands
@@ -41,6 +43,24 @@ class Simulate(driver.TexturedTest):
         self.assertEqual(self.root.getNumChildren(), self.before)
         self.operation.ViewObject.Show = "Dimples"
         self.assertFalse(scene.shown("relief"))
+
+    def test_window_and_runout_are_typed_in_inches_by_those_who_use_them(self):
+        FreeCAD.Units.setSchema(3)
+        self.addCleanup(FreeCAD.Units.setSchema, 0)
+        panel = SimulatePanel(self.operation)
+        FreeCADGui.Control.showDialog(panel)
+        self.addCleanup(panel.reject)
+        self.assertIn(" in", panel.size.text())
+        hands.enter(panel.size, "0.1")
+        hands.enter(panel.runout, "0.0002")
+        (low, high), asked = panel.window(), []
+        np.testing.assert_allclose(np.subtract(high, low), 2.54, rtol=1e-12)
+        with mock.patch.object(patchmill, "simulate", lambda *_, **given: asked.append(given)):
+            hands.click(panel.button)
+            self.assertTrue(driver.wait(lambda: asked and not panel.work.busy, 20))
+        self.assertAlmostEqual(asked[0]["runout"][0], 0.00508)
+        hands.enter(panel.size, "0")
+        self.assertIsNone(panel.window())
 
     def test_the_relief_is_saved_by_a_click(self):
         panel = SimulatePanel(self.operation)

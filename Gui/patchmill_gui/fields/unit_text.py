@@ -41,6 +41,12 @@ def text_of(value, kind):
     return "%s %s" % (number, unit) if unit else number
 
 
+def of_micrometre():
+    """(unit, how many µm it is, decimals) in which the user says small lengths."""
+    unit, factor = user_unit("mm")
+    return ("µm", 1.0, 2) if unit.endswith("m") else (unit, 1e3 * factor, 6)
+
+
 def of_micrometres(low, high):
     """(unit, low, high, decimals) of a range of heights [µm], in the user's system."""
     unit, factor = user_unit("mm")
@@ -64,10 +70,11 @@ def plain(number, decimals):
     text = "%.*f" % (decimals, number)
     while decimals > own and text.endswith("0"):
         text, decimals = text[:-1], decimals - 1
-    return text.rstrip(".").replace(".", _decimal_point())
+    return text.rstrip(".").replace(".", decimal_point())
 
 
-def _decimal_point():
+def decimal_point():
+    """Of the user's language."""
     point = QtCore.QLocale().decimalPoint()
     return point if isinstance(point, str) else chr(point)
 

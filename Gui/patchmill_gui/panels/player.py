@@ -11,6 +11,7 @@ from _patchmill import NO_DIMPLE, InputError
 from patchmill.verify import checks
 from PySide import QtCore, QtGui
 
+from patchmill_gui.fields import unit_text
 from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import guard_editors, translate
 from patchmill_gui.panels.check_panel import deepest, verdict
@@ -22,6 +23,7 @@ from patchmill_gui.work.work_panel import WorkPanel
 SPEEDS = (0.01, 0.1, 1.0, 10.0, 100.0, 1000.0)
 FRAME_MS = 40
 STEPS = 100000  # of the slider
+PLACE_DECIMALS = 3  # of mm
 
 
 class PlayerPanel(WorkPanel):
@@ -122,14 +124,14 @@ class PlayerPanel(WorkPanel):
             goal = translate("PatchMill", ", to dimple {}").format(grouped(int(dimple)))
         self.place.setText(
             translate(
-                "PatchMill", "{} of {}\nmove {} of {}{}\nX {:.3f}  Y {:.3f}  Z {:.3f}\nspindle {:.0f}°"
+                "PatchMill", "{} of {}\nmove {} of {}{}\nX {}  Y {}  Z {} {}\nspindle {:.0f}°"
             ).format(
                 _clock(self.moment),
                 _clock(self.line.seconds),
                 grouped(move + 1),
                 grouped(len(self.line.turns)),
                 goal,
-                *tip,
+                *_in_user_unit(tip),
                 math.degrees(angle) % 360.0,
             )
         )
@@ -169,6 +171,14 @@ def _display_set_aside(operation):
     scene = getattr(operation.ViewObject.Proxy, "scene", None)
     parts = getattr(scene, "parts", scene)
     return parts.set_aside() if parts is not None else lambda: None
+
+
+def _in_user_unit(tip):
+    """Texts of the coordinates of a place [mm], and their unit."""
+    unit, factor = unit_text.user_unit("mm")
+    decimals = PLACE_DECIMALS + max(0, round(math.log10(factor)))
+    texts = ("%.*f" % (decimals, value / factor) for value in tip)
+    return [*(text.replace(".", unit_text.decimal_point()) for text in texts), unit]
 
 
 def _clock(seconds):

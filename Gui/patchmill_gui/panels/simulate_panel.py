@@ -45,16 +45,20 @@ class SimulatePanel(WorkPanel):
     def _rows(self):
         rows = QtGui.QFormLayout()
         self.size = NumberBox()
+        unit, self.millimetres = unit_text.user_unit("mm")
         self.size.setRange(0.0, 1e4)
-        self.size.setSuffix(" mm")
+        self.size.setDecimals(2 if unit == "mm" else 4)
+        self.size.setSuffix(" " + unit)
         self.size.setSpecialValueText(translate("PatchMill", "whole texture"))
-        self.size.setValue(round(20.0 * self.plan.input.spacing, 2))
+        self.size.setValue(round(20.0 * self.plan.input.spacing / self.millimetres, self.size.decimals()))
         self.size.setObjectName("WindowSize")
         self.machine = MachineBox(
             (translate("PatchMill", "as planned"), None), translate("PatchMill", "as {} would run it").format
         )
         self.runout = NumberBox()
-        self.runout.setSuffix(" µm")
+        unit, self.micrometres, decimals = unit_text.of_micrometre()
+        self.runout.setDecimals(decimals)
+        self.runout.setSuffix(" " + unit)
         self.runout.setToolTip(translate("PatchMill", "How far the first flute stands out"))
         rows.addRow(translate("PatchMill", "Window"), self.size)
         rows.addRow(translate("PatchMill", "Motion"), self.machine)
@@ -66,7 +70,7 @@ class SimulatePanel(WorkPanel):
 
     def window(self):
         """((x, y) least, (x, y) greatest) around the milled dimple nearest to the middle; None for all."""
-        size = self.size.value()
+        size = self.size.value() * self.millimetres
         if size == 0.0:
             return None
         places = self.plan.places()[self.plan.dimples.states == DimpleState.CUT]
@@ -81,7 +85,7 @@ class SimulatePanel(WorkPanel):
             self._idle()
             return
         window, machine = self.window(), self.machine.currentData()
-        runout = [1e-3 * self.runout.value()] + [0.0] * (self.plan.input.tool.flutes - 1)
+        runout = [1e-3 * self.micrometres * self.runout.value()] + [0.0] * (self.plan.input.tool.flutes - 1)
         plan = self.plan
 
         def run(progress):
