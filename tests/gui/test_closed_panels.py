@@ -8,18 +8,22 @@ import contextlib
 import gc
 import sys
 import traceback
+from unittest import mock
 
 import driver
 import FreeCAD
 import FreeCADGui
+from patchmill_gui.fields import events, typing_hand
 from patchmill_gui.forms import widgets
 from patchmill_gui.forms.machine_editor import MachineEditor
 from patchmill_gui.forms.post_dialog import PostDialog
+from patchmill_gui.panels import texture_head
 from patchmill_gui.panels.check_panel import CheckPanel
 from patchmill_gui.panels.dcm_panel import DcmPanel
 from patchmill_gui.panels.player import PlayerPanel
 from patchmill_gui.panels.simulate_panel import SimulatePanel
 from patchmill_gui.panels.texture_panel import TexturePanel
+from patchmill_gui.work import room
 from PySide import QtGui
 
 try:
@@ -91,6 +95,25 @@ class ClosedPanels(driver.unittest.TestCase):
             editors[1].times = times
             widgets.guard_editors(form)
             self.assertEqual(len(form.findChildren(widgets._EditorGuard)), guarded)
+
+    def test_a_widget_that_python_takes_for_a_deleted_one_has_no_hand_on_it(self):
+        """Neither the keyboard nor the pointer: what asks where those are goes on."""
+
+        class Taken(QtGui.QLineEdit):
+            def hasFocus(self):
+                raise RuntimeError(DELETED)
+
+        form, area = QtGui.QWidget(), QtGui.QScrollArea()
+        taken = Taken(form)
+        self.assertFalse(typing_hand.is_typed_in(form))
+        gone = mock.Mock(isAncestorOf=mock.Mock(side_effect=RuntimeError(DELETED)))
+        with mock.patch.object(QtGui.QApplication, "focusWidget", lambda: taken):
+            self.assertFalse(texture_head._is_at_work_in(gone))
+        hidden = mock.Mock(isVisible=mock.Mock(side_effect=RuntimeError(DELETED)))
+        area.setWidget(QtGui.QWidget())
+        with mock.patch.object(area, "findChildren", lambda _: [hidden]):
+            self.assertGreater(room.needed_width(driver.task_dock(), area), 0)
+        self.assertRaises(RuntimeError, events.unless_deleted, mock.Mock(side_effect=RuntimeError("else")), 0)
 
     def test_a_panel_is_made_again_where_python_takes_a_widget_of_it_for_a_deleted_one(self):
         made = []

@@ -9,6 +9,8 @@ import tempfile
 
 import driver
 import FreeCADGui
+from patchmill.advice import remedies
+from patchmill.advice.found import Assessment, PatchQuality
 from patchmill_gui.app.core_window import CoreWindow
 from patchmill_gui.forms import machine_editor, post_dialog
 from patchmill_gui.forms.widgets import WrappingLabel, forget_closed_panels
@@ -20,6 +22,7 @@ SHOWN = (
     QtGui.QAbstractItemView, QtGui.QPlainTextEdit, QtGui.QAbstractSlider, QtGui.QProgressBar, QtGui.QGroupBox,
 )  # fmt: skip
 NARROW = 180  # pixels
+MOST_BETWEEN = 8
 OTHERS = ("PlanarTexture", "PyramidTexture", "CalibrationPatch")
 WIDEST = 400  # that a panel may ask for, of a screen of 1024
 
@@ -78,6 +81,22 @@ def too_low(around):
             takes = each.heightForWidth(each.width()) if wraps else each.minimumSizeHint().height()
             if each.height() < takes:
                 found.append((each.text() if label else each.objectName(), each.height(), takes))
+    return found
+
+
+def gaps(form):
+    """(name of the row below, its distance from the row above [pixels]) where a PropertyForm leaves more room
+    between two rows of a group than MOST_BETWEEN, as if something were missing there."""
+    found = []
+    for group in form.groups.values():
+        lowest = None
+        for name, row in form.rows.items():
+            parts = [part for part in (row.label, row.editor, row.error) if part.isVisible()]
+            if row.group is group and parts:
+                top = min(part.y() for part in parts)
+                if lowest is not None and top - lowest > MOST_BETWEEN:
+                    found.append((name, top - lowest))
+                lowest = max(part.y() + part.height() for part in parts)
     return found
 
 
@@ -146,6 +165,7 @@ class Room(driver.BlockTest):
         for group in panel.page.properties.groups.values():
             group.heading.setChecked(True)
         self.check(language + ", texture, all")
+        self.assertEqual(gaps(panel.page.properties), [], language)
         panel.page.advanced.heading.setChecked(False)
         driver.set_quantity(panel, "Spacing", 4.0)
         self.assertTrue(driver.wait(lambda: panel.error is not None, 60))
@@ -202,6 +222,30 @@ class Room(driver.BlockTest):
             around = QtCore.QRect(0, 0, label.width(), 10000)
             lines = label.fontMetrics().boundingRect(around, QtCore.Qt.TextWordWrap, label.text()).height()
             self.assertLess(abs(label.height() - lines), line, width)
+
+    def test_what_helps_is_read_whole(self):
+        fields = dict(remedies.LAID, minimum_tilt=10.0, mapping="On surface")
+        given = (fields, Assessment(1403, 0.97, {}, [PatchQuality((0.0, 0.0, 0.0), 75.0, 1.0)]))
+        for language in ("English", "German", "Japanese"):
+            FreeCADGui.setLocale(language)
+            self.narrow()
+            _, panel = driver.begin_texture(self.part)
+            driver.wait(lambda: not panel.advising.assessing.busy, 200)
+            driver.rest(0.5)
+            panel.advising.helping.cancel()
+            head = panel.advising.head
+            axis = (1.0, 0.0, 0.0)
+            head.offer([remedies.Remedy(kind, *given, axis, 30.0) for kind in ("along", "incline")])
+            driver.rest(0.6)
+            for button in head.buttons:
+                lines = QtGui.QPushButton.text(button).split("\n")
+                self.assertGreater(len(lines), 1)
+                self.assertEqual("".join(lines).replace(" ", ""), button.text().replace(" ", ""))
+                wide = max(button.fontMetrics().horizontalAdvance(line) for line in lines)
+                self.assertLess(wide, button.width())
+                self.assertLess(button.geometry().bottom(), head.height())
+                self.assertGreaterEqual(button.height(), len(lines) * button.fontMetrics().height())
+            panel.reject()
 
     def test_a_dock_that_is_wide_enough_stays_as_it_is(self):
         FreeCADGui.getMainWindow().resizeDocks([dock()], [450], QtCore.Qt.Horizontal)

@@ -99,6 +99,19 @@ class Values(driver.BlockTest):
             found = getattr(self.operation, name)
             self.assertAlmostEqual(float(getattr(found, "Value", found)), 2 * value, msg=name)
 
+    def test_places_are_typed_in_inches_and_directions_are_not(self):
+        rows = self.begin(INCHES)
+        self.assertEqual(rows["Origin"].label.text(), "Origin [in]")
+        self.operation.AutoOrigin, self.operation.AutoDirection = False, False
+        self.operation.Origin = FreeCAD.Vector(25.4, 1.0, 3.0)
+        self.panel.page.setFields(self.operation)
+        self.assertAlmostEqual(rows["Origin"].boxes[0].value(), 1.0)
+        hands.enter(rows["Origin"].boxes[2], "0.2")
+        self.assertTrue(driver.wait(lambda: self.operation.Origin.z != 3.0, 10))
+        self.assertEqual(tuple(self.operation.Origin), (25.4, 1.0, 0.2 * 25.4))
+        hands.enter(rows["Direction"].boxes[0], "0.5")
+        self.assertTrue(driver.wait(lambda: self.operation.Direction.x == 0.5, 10))
+
     def test_inches_are_shown_with_the_digits_that_small_depths_need(self):
         rows = self.begin(INCHES)
         self.operation.Depth = 0.02

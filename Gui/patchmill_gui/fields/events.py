@@ -1,4 +1,5 @@
-"""What Python's event filters ask first.
+"""What Python asks where PySide may take an event or a widget for a deleted one of its address, whose Python
+object is still there.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -10,3 +11,13 @@ def kind_of(event):
     """Type of a QEvent; None where PySide takes it for a widget that FreeCAD deleted at its address, whose
     Python object is still there."""
     return event.type() if isinstance(event, QtCore.QEvent) else None
+
+
+def unless_deleted(ask, otherwise):
+    """What `ask()` gives; `otherwise` where a widget that it asks is taken for a deleted one."""
+    try:
+        return ask()
+    except RuntimeError as gone:
+        if "already deleted" not in str(gone):  # PySide's words
+            raise
+        return otherwise

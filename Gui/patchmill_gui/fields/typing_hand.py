@@ -3,7 +3,11 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+from functools import partial
+
 from PySide import QtGui
+
+from patchmill_gui.fields.events import unless_deleted
 
 
 def is_typed_in(editor):
@@ -11,7 +15,11 @@ def is_typed_in(editor):
     if isinstance(editor, QtGui.QPlainTextEdit):
         return editor.hasFocus() and editor.document().isModified()
     lines = [editor] if isinstance(editor, QtGui.QLineEdit) else editor.findChildren(QtGui.QLineEdit)
-    return any(line.hasFocus() and line.isModified() and not _shows_its_value(line) for line in lines)
+    return any(unless_deleted(partial(_is_begun, line), False) for line in lines)
+
+
+def _is_begun(line):
+    return line.hasFocus() and line.isModified() and not _shows_its_value(line)
 
 
 def _shows_its_value(line):

@@ -5,10 +5,10 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 from _patchmill import InputError
 from patchmill.textures import advisor
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
-from patchmill_gui.fields.sentences import error_text
-from patchmill_gui.forms.widgets import translate
+from patchmill_gui.fields.sentences import error_text, in_user_units
+from patchmill_gui.forms.widgets import Notice, WrappingButton, translate
 
 
 class AdvisorBox(QtGui.QGroupBox):
@@ -28,6 +28,8 @@ class AdvisorBox(QtGui.QGroupBox):
         row.addWidget(ask)
         layout = QtGui.QVBoxLayout(self)
         layout.addLayout(row)
+        self.message = Notice()
+        layout.addWidget(self.message)
         self.list = QtGui.QVBoxLayout()
         layout.addLayout(self.list)
         self.buttons = []
@@ -37,28 +39,21 @@ class AdvisorBox(QtGui.QGroupBox):
         for button in self.buttons:
             button.deleteLater()
         self.buttons = []
+        self.message.setText("")
         try:
             proposals = advisor.advise_operation(self.obj, self.array.currentData())
         except InputError as error:
-            label = QtGui.QLabel(error_text(error))
-            label.setTextFormat(QtCore.Qt.PlainText)
-            self._add(label)
+            self.message.setText(error_text(error))
             return
         for proposal in proposals:
-            button = QtGui.QPushButton(proposal.changes)
-            button.setToolTip(
-                translate(
-                    "PatchMill", "side {:.4f} mm, cross-feed {:.4f} mm, feed per tooth {:.4f} mm: {}"
-                ).format(proposal.side, proposal.cross_feed, proposal.feed_per_tooth, proposal.state)
-            )
-            button.setMinimumWidth(30)
-            button.setStyleSheet("text-align: left")
+            tip = translate(
+                "PatchMill", "side {:.4f} mm, cross-feed {:.4f} mm, feed per tooth {:.4f} mm: {}"
+            ).format(proposal.side, proposal.cross_feed, proposal.feed_per_tooth, proposal.state)
+            button = WrappingButton(in_user_units(proposal.changes))
+            button.setToolTip(in_user_units(tip))
             button.clicked.connect(lambda *_, chosen=proposal: self._take(chosen))
-            self._add(button)
-
-    def _add(self, widget):
-        self.buttons.append(widget)
-        self.list.addWidget(widget)
+            self.buttons.append(button)
+            self.list.addWidget(button)
 
     def _take(self, proposal):
         advisor.take(self.obj, proposal)

@@ -74,9 +74,7 @@ class MachineRow(Row):
     """The machine files at hand; the empty name is 'none'."""
 
     def __init__(self, name, obj):
-        timed = hasattr(obj, "Strategy")  # a texture
-        judged = translate("PatchMill", "(none: phase not judged)")
-        editor = MachineBox((judged if timed else translate("PatchMill", "(none: no limits)"), ""))
+        editor = MachineBox((translate("PatchMill", "(none)"), ""))
         self.name = name
         super().__init__(editor, editor.currentIndexChanged)
 

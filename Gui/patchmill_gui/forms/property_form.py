@@ -42,6 +42,7 @@ class Group(QtGui.QWidget):
         self.heading.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
         self.heading.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
         self.heading.setStyleSheet("font-weight: bold; border: none; text-align: left")
+        self._parts = []
         self.body = QtGui.QWidget()
         self.rows = QtGui.QFormLayout(self.body)
         self.rows.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
@@ -54,6 +55,19 @@ class Group(QtGui.QWidget):
         self.heading.toggled.connect(self._toggle)
         self.heading.setChecked(is_open)
         self._toggle(is_open)
+
+    def lay_out(self, parts):
+        """Puts these into the layout and no others: hidden ones would leave their spacing behind. Pairs of
+        a label and an editor, and sentences across both."""
+        if parts == self._parts:
+            return
+        self._parts = parts
+        while self.rows.count():
+            self.rows.takeAt(0)
+        while self.rows.rowCount():
+            self.rows.removeRow(0)
+        for part in parts:
+            self.rows.addRow(*part)
 
     def _toggle(self, on):
         self.heading.setArrowType(QtCore.Qt.DownArrow if on else QtCore.Qt.RightArrow)
@@ -76,11 +90,13 @@ class PropertyForm(QtCore.QObject):
         self._relevant = self._found = None  # names of the rows that may be shown; None: all
         for kind, name, group, tip, _ in table:
             self._add(row_for(kind, name, obj), name, group, tip)
+        self._lay_out()
 
     def _add(self, row, name, group, tip):
         if group not in self.groups:
             self.groups[group] = Group(group, group not in self.closed)
-        label = WrappingLabel(translate("PatchMill", label_of(name)))
+        text = translate("PatchMill", label_of(name))
+        label = WrappingLabel("%s [%s]" % (text, row.unit) if row.unit else text)
         for widget in (label, row.editor):
             widget.setToolTip(translate("App::Property", tip))
         row.editor.setObjectName(name)
@@ -88,10 +104,8 @@ class PropertyForm(QtCore.QObject):
         guard_editors(row.editor)
         row.label = label
         row.error = Notice()
-        layout = self.groups[group].rows
         row.group = self.groups[group]
-        layout.addRow(label, row.editor)
-        layout.addRow(row.error)
+        row.error.setParent(row.group.body)  # it gets into the layout when it says something
         for signal in row.changed if isinstance(row.changed, list) else [row.changed]:
             signal.connect(self._edited)
         self.rows[name] = row
@@ -129,10 +143,22 @@ class PropertyForm(QtCore.QObject):
             if row.editor.isHidden() == on:
                 row.editor.setVisible(on)
                 row.label.setVisible(on)
+        self._lay_out()
         for group in self.groups.values():  # a heading with nothing below it says nothing
             empty = all(row.editor.isHidden() for row in self.rows.values() if row.group is group)
             if empty != group.isHidden():
                 group.setHidden(empty)
+
+    def _lay_out(self):
+        """Each group has the rows and sentences that are not hidden."""
+        parts: dict = {group: [] for group in self.groups.values()}
+        for row in self.rows.values():
+            if not row.editor.isHidden():
+                parts[row.group].append((row.label, row.editor))
+            if row.error.text():
+                parts[row.group].append((row.error,))
+        for group, own in parts.items():
+            group.lay_out(own)
 
     def show_error(self, error):
         """Puts the sentence of an InputError below its field; None clears all, and so does an exception that
@@ -144,6 +170,7 @@ class PropertyForm(QtCore.QObject):
             row.error.setText(in_user_units(": ".join(said)))
             if mine:
                 row.group.heading.setChecked(True)
+        self._lay_out()
         return "" if error is None or named in self.rows else error_text(error)
 
 

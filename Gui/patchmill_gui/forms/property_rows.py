@@ -9,13 +9,19 @@ import FreeCADGui
 from patchmill.properties.property_table import UNITS
 from PySide import QtGui
 
+from patchmill_gui.fields import unit_text
 from patchmill_gui.fields.number_box import NumberBox
 from patchmill_gui.fields.quantity_entry import QuantityEntry
 from patchmill_gui.forms.widgets import living
 
 
+PLACES = ("Origin", "MaskCentre")  # vectors that are lengths
+
+
 class Row:
     """A property and its editor. `changed` is the editor's signal."""
+
+    unit = ""  # of a number that does not say it itself
 
     def __init__(self, editor, changed):
         self.editor = editor
@@ -154,12 +160,15 @@ class FileRow(TextRow):
 
 
 class VectorRow(Row):
+    """A direction, or a place in the user's unit of length."""
+
     def __init__(self, name, obj):
         editor = QtGui.QWidget()
         layout = QtGui.QHBoxLayout(editor)
         layout.setContentsMargins(0, 0, 0, 0)
         self.boxes = [NumberBox() for _ in range(3)]
         self.name = name
+        self.unit, self.factor = unit_text.user_unit("mm" if name in PLACES else "")
         for box in self.boxes:
             box.setRange(-1e6, 1e6)
             box.setDecimals(6)
@@ -173,13 +182,13 @@ class VectorRow(Row):
 
     def show(self, obj):
         for box, value in zip(self.boxes, getattr(obj, self.name)):
-            box.setValue(value)
+            box.setValue(value / self.factor)
         self.shown = self._values()
 
     def store(self, obj):
         """Only what was edited: the boxes' values are rounded."""
         if self._values() != self.shown:
             pairs = zip(self.boxes, self.shown, getattr(obj, self.name))
-            kept = (own if box.value() == shown else box.value() for box, shown, own in pairs)
+            kept = (own if box.value() == shown else self.factor * box.value() for box, shown, own in pairs)
             setattr(obj, self.name, FreeCAD.Vector(*kept))
             self.shown = self._values()

@@ -209,6 +209,44 @@ class Notice(WrappingLabel):
         self.setVisible(bool(text))
 
 
+class WrappingButton(QtGui.QPushButton):
+    """A button whose text, which text() gives as it was set, breaks at the button's width. `broken`: it has
+    other lines than before."""
+
+    broken = QtCore.Signal()
+    PADDING = 6  # pixels
+
+    def __init__(self, text):
+        super().__init__(text)
+        self._text = text
+        self.setStyleSheet("text-align: left; padding: %dpx" % self.PADDING)
+        self.setMinimumWidth(30)
+
+    def text(self):
+        return self._text
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        lines = "\n".join(self._lines(self.width() - 2 * self.PADDING - 2))
+        if lines != super().text():
+            self.setText(lines)
+            self.broken.emit()
+
+    def _lines(self, width):
+        """Parts of the text that fit in a width, broken between words, or anywhere as Japanese is."""
+        layout = QtGui.QTextLayout(self._text, self.font())
+        option = QtGui.QTextOption()
+        option.setWrapMode(QtGui.QTextOption.WrapAtWordBoundaryOrAnywhere)
+        layout.setTextOption(option)
+        layout.beginLayout()
+        line = layout.createLine()
+        while line.isValid():
+            line.setLineWidth(max(20, width))
+            yield self._text[line.textStart() : line.textStart() + line.textLength()].strip()
+            line = layout.createLine()
+        layout.endLayout()
+
+
 def noticed(text, colour):
     """Rich text of a sentence in white on a colour."""
     style = "color:white; background-color:" + colour

@@ -6,6 +6,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 import html
 import math
+from functools import partial
 
 from patchmill.advice import verdict
 from patchmill.advice.found import GOOD, GOOD_FRACTION
@@ -14,10 +15,10 @@ from patchmill.machine.machining_time import in_words
 from PySide import QtCore, QtGui
 
 from patchmill_gui.fields import unit_text
-from patchmill_gui.fields.events import kind_of
+from patchmill_gui.fields.events import kind_of, unless_deleted
 from patchmill_gui.fields.sentences import in_user_units
 from patchmill_gui.forms.texture_summary import grouped
-from patchmill_gui.forms.widgets import plain_label, translate, wrapping_label
+from patchmill_gui.forms.widgets import WrappingButton, one_shot, plain_label, translate, wrapping_label
 from patchmill_gui.work.room import TASK_VIEW
 
 GREEN, AMBER, RED, GREY = "#2e7d32", "#8a5a00", "#b71c1c", "#5f6368"  # under white text, contrast above 5
@@ -49,6 +50,7 @@ class Head(QtGui.QFrame):
         self.fixes.setSpacing(2)
         layout.addLayout(self.fixes)
         self.buttons = []
+        self._place_soon = one_shot(self._place)
         self.state = None
         self._area = self._margins = None
         self._settled = False
@@ -110,10 +112,9 @@ class Head(QtGui.QFrame):
             button.hide()
         self.buttons = []
         for remedy in remedies:
-            button = QtGui.QPushButton(remedy_text(remedy))
+            button = WrappingButton(remedy_text(remedy))
             button.setObjectName("Fix" + remedy.kind.title().replace(" ", ""))
-            button.setStyleSheet("text-align: left; padding: 3px")
-            button.setMinimumWidth(30)
+            button.broken.connect(self._place_soon.start)
             button.setToolTip(translate("PatchMill", "Tried: this is what it gives"))
             button.clicked.connect(lambda *_, chosen=remedy: self.taken.emit(chosen))
             self.fixes.addWidget(button)
@@ -187,8 +188,10 @@ def _is_at_work_in(area):
     buttons = (QtGui.QAbstractButton, QtGui.QAbstractSlider, QtGui.QPlainTextEdit)
     app = QtGui.QApplication
     typed, pointed = app.focusWidget(), app.widgetAt(QtGui.QCursor.pos())
-    over = isinstance(pointed, fields + buttons) and area.widget().isAncestorOf(pointed)
-    return over or isinstance(typed, fields) and area.isAncestorOf(typed)
+    at_hand = [(area, typed)] if isinstance(typed, fields) else []
+    if isinstance(pointed, fields + buttons):
+        at_hand.append((area.widget(), pointed))
+    return any(unless_deleted(partial(around.isAncestorOf, one), False) for around, one in at_hand)
 
 
 def _scroll_to(area, value):

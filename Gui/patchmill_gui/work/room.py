@@ -4,10 +4,12 @@ Cancel and Apply in a row. Later versions widen the dock to what the panel needs
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+from functools import partial
+
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from patchmill_gui.forms.widgets import DELETED
+from patchmill_gui.fields.events import unless_deleted
 
 TASK_VIEW = "Gui::TaskView::TaskView"
 SHOWN_MS = (100, 600)  # until the widgets of a panel that has just been shown have their sizes
@@ -38,12 +40,7 @@ def make_room():
 def _is_task_view(area):
     """Whether a scroll area is the visible one of FreeCAD's task panel, which is never deleted: one of a page
     may have the Python object of a closed panel's."""
-    try:
-        return area.metaObject().className() == TASK_VIEW and area.isVisible()
-    except RuntimeError as gone:
-        if DELETED not in str(gone):
-            raise
-        return False
+    return unless_deleted(lambda: area.metaObject().className() == TASK_VIEW and area.isVisible(), False)
 
 
 def needed_width(dock, area):
@@ -52,5 +49,10 @@ def needed_width(dock, area):
     margins, bar = area.viewportMargins(), area.verticalScrollBar().sizeHint().width()
     contents = area.widget().minimumSizeHint().width()
     outer = contents + bar + margins.left() + margins.right() + 2 * (area.frameWidth() + left)
-    inner = [each.horizontalScrollBar() for each in area.findChildren(QtGui.QScrollArea) if each.isVisible()]
-    return max(outer, dock.width() + max((bar.maximum() for bar in inner), default=0))
+    inner = [unless_deleted(partial(_hidden_width, each), 0) for each in area.findChildren(QtGui.QScrollArea)]
+    return max(outer, dock.width() + max(inner, default=0))
+
+
+def _hidden_width(area):
+    """How much of a scroll area's contents lies past its sides [pixels]."""
+    return area.horizontalScrollBar().maximum() if area.isVisible() else 0
