@@ -59,8 +59,24 @@ class BestSpeed(driver.unittest.TestCase):
         box = find.parent()
         self.click(find)
         self.assertTrue(driver.wait(lambda: not box.work.busy and "Trying" not in box.said.text(), 120))
-        self.assertIn("machine", box.said.text())
+        self.assertIn("machine", box.wrong.text())
+        self.assertTrue(box.wrong.isVisible())
         self.assertFalse(self.button("TakeSpeed").isVisible())
+
+    def test_what_is_given_up_for_another_page_is_not_said_to_go_on(self):
+        self.operation.Machine, self.operation.Strategy = "linuxcnc-mill", "Spindle-locked"
+        self.operation.SameFlute, self.operation.ExtraTurns = False, 0.0
+        self.panel.page.advised()
+        self.assertTrue(driver.wait(self.panel.ready_now))
+        find = self.button("FindSpeed")
+        box = find.parent()
+        self.click(find)
+        self.assertTrue(driver.wait(lambda: box.work.busy, 10))
+        self.assertIn("Trying", box.said.text())
+        box.hide()  # as with the page of another tab
+        box.show()
+        self.assertFalse(box.work.busy)
+        self.assertEqual(box.said.text(), "")
 
 
 def main():

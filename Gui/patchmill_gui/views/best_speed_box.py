@@ -9,15 +9,16 @@ from math import log
 
 from _patchmill import InputError
 from patchmill.advice import apply
+from patchmill.machine.machining_time import in_words
 from patchmill.textures.plan import plan_texture
 from patchmill.verify import best_speed
 from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.sentences import error_text
-from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, translate, wrapping_label
+from patchmill_gui.forms.widgets import Notice, ProgressBar, plain_label, translate
 from patchmill_gui.work.background import Background
 
-HOLDS, LOST = QtGui.QColor("#0b4f9e"), QtGui.QColor("#8a8f98")
+HOLDS, LOST = QtGui.QColor("#3d85c6"), QtGui.QColor("#8a8f98")  # on light and on dark
 HEIGHT, EDGE, DOT = 90, 8, 3  # pixels
 PLANNING = 0.1  # of the work: the plan itself, before it is tried at other speeds
 
@@ -80,9 +81,9 @@ class BestSpeedBox(QtGui.QGroupBox):
         self.obj, self.taken, self.best = obj, taken, None
         self.ask = _button(translate("PatchMill", "Find the best speed"), "FindSpeed", self.look)
         self.take = _button("", "TakeSpeed", self.take_over)
-        self.curve, self.said, self.progress = Curve(), wrapping_label(), ProgressBar()
+        self.curve, self.said, self.wrong, self.progress = Curve(), plain_label(), Notice(), ProgressBar()
         layout = QtGui.QVBoxLayout(self)
-        for widget in (self.ask, self.progress, self.curve, self.said, self.take):
+        for widget in (self.ask, self.progress, self.curve, self.said, self.wrong, self.take):
             layout.addWidget(widget)
         self.curve.setVisible(False)
         self.take.setVisible(False)
@@ -113,9 +114,9 @@ class BestSpeedBox(QtGui.QGroupBox):
             self._say(said.format(found.curve[0].rpm, found.curve[-1].rpm))
             return
         said = translate(
-            "PatchMill", "S{} takes {:.0f} s, the phase off by up to {:.1f}°. None that holds is faster."
+            "PatchMill", "S{} takes {}, the phase off by up to {:.1f}°. None that holds is faster."
         )
-        self._say(said.format(self.best.rpm, self.best.seconds, self.best.largest))
+        self._say(said.format(self.best.rpm, in_words(self.best.seconds), self.best.largest))
         if self.best.rpm == round(self.obj.ToolController.SpindleSpeed):
             return
         free = apply.controller_is_free(self.obj)
@@ -138,15 +139,17 @@ class BestSpeedBox(QtGui.QGroupBox):
     def _failed(self, error):
         self.progress.setVisible(False)
         self.curve.setVisible(False)
-        self._say(error_text(error), ERROR_COLOUR)
+        self._say("", error_text(error))
 
-    def _say(self, text, colour=""):
-        self.said.setTextFormat(QtCore.Qt.PlainText)
-        self.said.setStyleSheet("color: " + colour if colour else "")
+    def _say(self, text, wrong=""):
         self.said.setText(text)
+        self.said.setVisible(bool(text))
+        self.wrong.setText(wrong)
 
     def hideEvent(self, event):
         """The panel closes, or another page is in front."""
+        if self.work.busy:
+            self._say("")
         self.work.cancel()
         self.progress.setVisible(False)
         super().hideEvent(event)
