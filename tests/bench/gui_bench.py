@@ -10,8 +10,10 @@ import resource
 import time
 
 import driver
+import FreeCAD
 import FreeCADGui
 import numpy as np
+import Part
 from patchmill.textures.plan import place_texture
 from patchmill_gui.views.texture_scene import placed_displays, relief_display
 from PySide import QtCore
@@ -115,6 +117,36 @@ def patch_relief():
     driver.wait(lambda: not driver.panel_open())
 
 
+def many_faces(holes=40):
+    """A wavy block, and beside it a plate with `holes` x `holes` bores: what the tool is to keep off."""
+    side = 10.0 * holes
+    bores = [
+        Part.makeCylinder(3.0, 20.0, FreeCAD.Vector(105.0 + 10.0 * i, 10.0 * j + 5.0, -5.0))
+        for i in range(holes)
+        for j in range(holes)
+    ]
+    plate = Part.makeBox(side, side, 5.0, FreeCAD.Vector(100.0, 0.0, 0.0)).cut(Part.makeCompound(bores))
+    return Part.makeCompound([driver.wavy_block(), plate])
+
+
+def of_a_part_with_many_faces():
+    """The longest pause from a changed value until the texture is assessed, also against the part."""
+    shape = many_faces()
+    _, panel = begun(shape)
+    panel.advising.following = False
+    for spacing in (0.6, 0.5, 0.6):
+        driver.wait(lambda: panel.ready_now() and not panel.advising.assessing.busy, 300)
+        panel.advising.helping.cancel()
+        driver.rest(0.5)
+        found, before = Pauses(), panel.advising.drawn
+        driver.set_quantity(panel, "Spacing", spacing)
+        driver.wait(lambda: panel.advising.drawn is not before, 300)
+        found.timer.stop()
+        print("a part of %d faces: longest pause %.0f ms" % (len(shape.Faces), found.longest))
+    panel.reject()
+    driver.wait(lambda: not driver.panel_open())
+
+
 def relief(side=3163):
     """A relief of 10^7 points: made, shown, and turned."""
     operation, panel = begun(driver.wavy_block())
@@ -151,5 +183,6 @@ def main():
     pauses()
     previews()
     patch_relief()
+    of_a_part_with_many_faces()
     relief()
     return 0
