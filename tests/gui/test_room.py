@@ -186,6 +186,8 @@ class Room(driver.BlockTest):
         panel = driver.panel_of(milling)
         panel.form_rows.rows["AxialDepth"].editor.setProperty("rawValue", 4.0)
         self.check(language + ", copy milling")
+        rows = panel.form_rows.rows.values()
+        self.assertTrue(all(row.editor.isVisible() for row in rows if row.group.heading.isChecked()))
         driver.accept(panel)
         self.narrow()
         driver.run_on(milling, "PatchMill_Simulate")

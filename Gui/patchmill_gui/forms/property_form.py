@@ -140,20 +140,21 @@ class PropertyForm(QtCore.QObject):
     def _show_rows(self):
         for name, row in self.rows.items():
             on = all(names is None or name in names for names in (self._relevant, self._found))
-            if row.editor.isHidden() == on:
+            if row.on != on:
+                row.on = on
                 row.editor.setVisible(on)
                 row.label.setVisible(on)
         self._lay_out()
         for group in self.groups.values():  # a heading with nothing below it says nothing
-            empty = all(row.editor.isHidden() for row in self.rows.values() if row.group is group)
+            empty = not any(row.on for row in self.rows.values() if row.group is group)
             if empty != group.isHidden():
                 group.setHidden(empty)
 
     def _lay_out(self):
-        """Each group has the rows and sentences that are not hidden."""
+        """Each group has the rows that are on and the sentences that say something."""
         parts: dict = {group: [] for group in self.groups.values()}
         for row in self.rows.values():
-            if not row.editor.isHidden():
+            if row.on:
                 parts[row.group].append((row.label, row.editor))
             if row.error.text():
                 parts[row.group].append((row.error,))

@@ -22,6 +22,7 @@ class Row:
     """A property and its editor. `changed` is the editor's signal."""
 
     unit = ""  # of a number that does not say it itself
+    on = True  # it is shown
 
     def __init__(self, editor, changed):
         self.editor = editor
