@@ -69,6 +69,8 @@ class Simulate(driver.TexturedTest):
         self.assertFalse(panel.saving.isEnabled())
         hands.click(panel.button)
         self.assertTrue(driver.wait(lambda: panel.result is not None or panel.error is not None))
+        lines = panel.text.heightForWidth  # all of the table is seen
+        self.assertTrue(driver.wait(lambda: panel.text.height() >= lines(panel.text.width()), 10))
         with tempfile.TemporaryDirectory() as folder:
             for name in ("relief.x3p", "relief.stl", "relief.dimples.csv"):
                 driver.answer_file_dialog(os.path.join(folder, name))

@@ -17,6 +17,8 @@ MARKS = 200  # findings that are shown in the view
 class CheckPanel(WorkPanel):
     """Task panel for an operation or modifier; the check starts at once."""
 
+    ICON = "PatchMill_Check"
+
     def __init__(self, operation):
         given = checks.check_input(operation)
         super().__init__(translate("PatchMill", "Check {}").format(operation.Label), operation)

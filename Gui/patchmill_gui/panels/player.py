@@ -29,6 +29,8 @@ PLACE_DECIMALS = 3  # of mm
 class PlayerPanel(WorkPanel):
     """Task panel. `path` is the ToolPath of the document object `operation`."""
 
+    ICON = "PatchMill_Play"
+
     def __init__(self, operation, path):
         super().__init__(translate("PatchMill", "Play {}").format(operation.Label), operation)
         self.line = Timeline(path, _seconds(operation))

@@ -38,6 +38,8 @@ def report_work(operation, folder):
 class ReportPanel(WorkPanel):
     """Task panel; starts at once. `result`: the names of the files."""
 
+    ICON = "PatchMill_Report"
+
     def __init__(self, operation, folder):
         super().__init__(translate("PatchMill", "Report"), operation)
         self.text.setOpenExternalLinks(True)

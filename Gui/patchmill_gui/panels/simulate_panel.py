@@ -22,6 +22,8 @@ from patchmill_gui.work.work_panel import WorkPanel
 class SimulatePanel(WorkPanel):
     """Task panel for a texture operation. The relief stays displayed when it closes."""
 
+    ICON = "PatchMill_Simulate"
+
     def __init__(self, operation):
         super().__init__(translate("PatchMill", "Simulate marks"), operation)
         self.operation = operation

@@ -86,6 +86,7 @@ class BestSpeedBox(QtGui.QGroupBox):
         for widget in (self.ask, self.progress, self.curve, self.said, self.wrong, self.take):
             layout.addWidget(widget)
         self.curve.setVisible(False)
+        self.said.setVisible(False)
         self.take.setVisible(False)
         self.work = Background()
         self.work.progressed.connect(self.progress.show_share)

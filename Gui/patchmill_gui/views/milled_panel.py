@@ -21,6 +21,8 @@ class MilledPanel(WorkPanel):
     """Task panel for an operation or modifier; it starts at once. What it shows goes when it closes, and what
     the operation itself shows comes back."""
 
+    ICON = "PatchMill_Simulate"
+
     def __init__(self, operation):
         given = checks.check_input(operation)
         super().__init__(translate("PatchMill", "What {} leaves").format(operation.Label), operation)

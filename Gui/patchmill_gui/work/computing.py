@@ -10,7 +10,7 @@ import FreeCAD
 from _patchmill import InputError
 from PySide import QtCore, QtGui
 
-from patchmill_gui.forms.widgets import Notice, ProgressBar, translate, wrapping_label
+from patchmill_gui.forms.widgets import Notice, ProgressBar, WrappingLabel, translate
 from patchmill_gui.work.background import Background
 
 
@@ -22,7 +22,8 @@ class ComputingBox(QtGui.QGroupBox):
         layout = QtGui.QVBoxLayout(self)
         self.button = QtGui.QPushButton(translate("PatchMill", "Preview"))
         self.button.setObjectName("Preview")
-        self.bar, self.text, self.message = ProgressBar(), wrapping_label(), Notice()
+        self.bar, self.text, self.message = ProgressBar(), WrappingLabel(), Notice()
+        self.text.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
         for widget in (self.button, self.bar, self.text, self.message):
             layout.addWidget(widget)
 

@@ -10,19 +10,23 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.object_watch import ObjectWatch
 from patchmill_gui.fields.sentences import error_text
-from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, button_number, noticed, wrapping_label
+from patchmill_gui.forms.resources import icon
+from patchmill_gui.forms.widgets import ERROR_COLOUR, ProgressBar, WrappingLabel, button_number, noticed
 from patchmill_gui.work.background import Background
 from patchmill_gui.work.room import make_room_soon
 
 
 class ClosePanel:
     """Task panel with a Close button, about the document object `operation`, with which it closes. `form` is
-    what FreeCAD shows; a subclass fills `layout`, and takes back in `leave` what only the panel showed in the
-    view, without its widgets, which may be gone by then."""
+    what FreeCAD shows; a subclass names its ICON, fills `layout`, and takes back in `leave` what only the
+    panel showed in the view, without its widgets, which may be gone by then."""
+
+    ICON = "PatchMill"
 
     def __init__(self, title, operation):
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title)
+        self.form.setWindowIcon(QtGui.QIcon(icon(self.ICON)))
         self.layout = QtGui.QVBoxLayout(self.form)
         self.opened = self.ended = False
         self.form.destroyed.connect(self._end)  # FreeCAD asks nothing where something else is edited
@@ -70,7 +74,8 @@ class WorkPanel(ClosePanel):
     def __init__(self, title, operation):
         super().__init__(title, operation)
         self.result = self.error = None
-        self.bar, self.text = ProgressBar(), wrapping_label()
+        self.bar, self.text = ProgressBar(), WrappingLabel()
+        self.text.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Preferred)
         self.work = Background()
         self.work.finished.connect(self.show_result)
         self.work.failed.connect(self.show_error)
