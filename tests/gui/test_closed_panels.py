@@ -103,7 +103,7 @@ class ClosedPanels(driver.unittest.TestCase):
             def hasFocus(self):
                 raise RuntimeError(DELETED)
 
-        form, area = QtGui.QWidget(), QtGui.QScrollArea()
+        form, area, dock = QtGui.QWidget(), QtGui.QScrollArea(), QtGui.QDockWidget()
         taken = Taken(form)
         self.assertFalse(typing_hand.is_typed_in(form))
         gone = mock.Mock(isAncestorOf=mock.Mock(side_effect=RuntimeError(DELETED)))
@@ -111,8 +111,9 @@ class ClosedPanels(driver.unittest.TestCase):
             self.assertFalse(texture_head._is_at_work_in(gone))
         hidden = mock.Mock(isVisible=mock.Mock(side_effect=RuntimeError(DELETED)))
         area.setWidget(QtGui.QWidget())
+        dock.setWidget(area)
         with mock.patch.object(area, "findChildren", lambda _: [hidden]):
-            self.assertGreater(room.needed_width(driver.task_dock(), area), 0)
+            self.assertGreater(room.needed_width(dock, area), 0)
         self.assertRaises(RuntimeError, events.unless_deleted, mock.Mock(side_effect=RuntimeError("else")), 0)
 
     def test_a_panel_is_made_again_where_python_takes_a_widget_of_it_for_a_deleted_one(self):
