@@ -7,14 +7,19 @@ look is some pictures of panels side by side; what is written with too little co
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import gc
 import os
 import sys
+import tempfile
 
 import driver
 import FreeCAD
 import FreeCADGui
 import numpy as np
+import Part
 from patchmill_gui.forms import machine_editor, post_dialog
+from patchmill_gui.panels.report_panel import ReportPanel
+from patchmill_gui.work.work_panel import WorkPanel
 from PySide import QtCore, QtGui
 
 CONTRAST = 4.5  # WCAG 2.2, success criterion 1.4.3
@@ -22,6 +27,12 @@ GAP, WIDEST, BESIDE = 8, 700, 4  # pixels; panels in a picture
 SIZES = {"small": (1024, 768), "large": (1920, 1080)}
 LANGUAGES = {"german": "German", "japanese": "Japanese"}
 LOOKS = ("light", "dark", "german", "japanese", "inches", "small", "large")
+THREAD = {
+    "Machine": "four-axis-mill",
+    "Strategy": "Spindle-locked",
+    "ToolAxisMode": "Normal",
+    "Order": "Thread",
+}
 TEXTURES = ("CurvedTexture", "PlanarTexture", "PyramidTexture", "CalibrationPatch")
 
 
@@ -51,7 +62,7 @@ class Sheet:
 
     def take(self, title, widget):
         """A widget's picture, and a line for each sentence of it that is hard to read."""
-        driver.rest(0.4)
+        driver.rest(0.8)
         shot = widget.grab()
         self.pictures.append(shot)
         for said, ratio in faint(widget):
@@ -118,8 +129,10 @@ def faint(widget):
 def clipped(widget):
     """(text, pixels that are missing) of labels of one line and of buttons that are too narrow for it."""
     for each, text in _texts(widget):
+        if isinstance(each, QtGui.QAbstractButton):
+            text = QtGui.QAbstractButton.text(each)  # a button of ours breaks it
         wraps = isinstance(each, QtGui.QLabel) and (each.wordWrap() or "<" in text)
-        lacks = each.fontMetrics().boundingRect(text.replace("&", "")).width() - each.width()
+        lacks = each.fontMetrics().horizontalAdvance(text.replace("&", "")) - each.width()
         if not wraps and lacks > 0 and "\n" not in text:
             yield text, lacks
 
@@ -131,7 +144,7 @@ def without_buddy(widget):
 
 
 def plain(label):
-    return label.textFormat() == QtCore.Qt.AutoText and not QtCore.Qt.mightBeRichText(label.text())
+    return label.textFormat() == QtCore.Qt.PlainText or "<" not in label.text()
 
 
 def dock():
@@ -144,6 +157,7 @@ def textures(sheet, part):
         operation, panel = driver.begin_texture(part, "PatchMill_" + name)
         if name == TEXTURES[0]:  # what the head says then is seen once
             driver.wait(lambda: not panel.advising.assessing.busy, 200)
+            driver.rest(0.5)
             driver.wait(lambda: not panel.advising.helping.busy, 200)
         sheet.take(name, dock())
         if name == TEXTURES[0]:
@@ -160,17 +174,44 @@ def textures(sheet, part):
             driver.wait(lambda: panel.error is None and panel.ready_now(), 240)
             driver.accept(panel)
             kept = operation
-        else:
-            panel.reject()
+            continue
+        if name == "PlanarTexture":
+            form = panel.page.properties.rows["Form"].editor
+            form.setCurrentIndex(form.findData("Free"))
+            driver.ready(panel)
+            panel.page.advice.ask()
+            sheet.take(name + ", free form", panel.page.form)
+        panel.reject()
     return kept
+
+
+def open_panel():
+    """The WorkPanel that is shown."""
+    (panel,) = [o for o in gc.get_objects() if isinstance(o, WorkPanel) and o._is_open()]
+    return panel
+
+
+def done(panel):
+    """Waits until what a panel computes is there."""
+    driver.wait(lambda: panel.result is not None or panel.error is not None, 200)
 
 
 def opened(sheet, operation):
     """What is opened on a texture."""
     for command in ("PatchMill_Simulate", "PatchMill_Check", "PatchMill_Play"):
         driver.run_on(operation, command)
-        driver.rest(3.0)
+        panel = open_panel()
+        if command == "PatchMill_Simulate":
+            panel.size.setValue(2.0)
+            panel.button.click()
+        done(panel)
         sheet.take(command, dock())
+        FreeCADGui.Control.closeDialog()
+    with tempfile.TemporaryDirectory() as folder:
+        panel = ReportPanel(operation, folder)
+        FreeCADGui.Control.showDialog(panel)
+        done(panel)
+        sheet.take("Report", dock())
         FreeCADGui.Control.closeDialog()
     for title, window in (
         ("Post", post_dialog.show(operation.Document.getObject("Job"))),
@@ -185,12 +226,48 @@ def milling(sheet, part):
     operation = part.Document.getObject("CopyMilling")
     panel = driver.panel_of(operation)
     panel.form_rows.rows["AxialDepth"].editor.setProperty("rawValue", 4.0)
+    panel.compute(False)
+    done(panel)
     sheet.take("CopyMilling", dock())
     driver.accept(panel)
+    driver.run_on(operation, "PatchMill_Simulate")
+    done(open_panel())
+    sheet.take("What it leaves", dock())
+    FreeCADGui.Control.closeDialog()
     driver.run_on(operation, "PatchMill_DressupDcm")
     panel = part.Document.getObject("DressupDCM").ViewObject.Proxy.panel
+    for group in panel.form_rows.groups.values():
+        group.heading.setChecked(True)
+    panel.what.setCurrentIndex(panel.what.findData("force"))
+    done(panel)
     sheet.take("DCM", dock())
+    sheet.take("DCM, all", panel.form)
     panel.reject()
+
+
+def thread(sheet):
+    """A roller's panel."""
+    shape = Part.makeCylinder(6, 4, FreeCAD.Vector(), FreeCAD.Vector(1, 0, 0))
+    document, part = driver.new_document(shape)
+    face = next(n for n, f in enumerate(shape.Faces, 1) if f.Surface.TypeId == "Part::GeomCylinder")
+    driver.select(part, "Face%d" % face)
+    FreeCADGui.runCommand("PatchMill_CurvedTexture")
+    operation = document.getObject("CurvedTexture")
+    panel = driver.panel_of(operation)
+    driver.ready(panel)
+    rows = panel.page.properties.rows
+    for name, choice in THREAD.items():
+        rows[name].editor.setCurrentIndex(rows[name].editor.findData(choice))
+    driver.ready(panel)
+    driver.wait(lambda: not panel.advising.assessing.busy, 200)
+    panel.page.advanced.heading.setChecked(True)
+    sheet.take("Thread", dock())
+    box = panel.page.form.findChild(QtGui.QPushButton, "FindSpeed").parent()
+    box.look()
+    driver.wait(lambda: not box.work.busy, 100)
+    sheet.take("Thread, all", panel.page.form)
+    panel.reject()
+    FreeCAD.closeDocument(document.Name)
 
 
 def preferences(sheet):
@@ -208,12 +285,13 @@ def main():
     folder, looks = sys.argv[1], sys.argv[2:] or LOOKS
     for look in looks:
         put_on(look)
-        document, part = driver.new_document(driver.wavy_block(12.0, 8.0))
+        document, part = driver.new_document(driver.wavy_block(6.0, 4.0))
         sheet = Sheet(folder, look)
         kept = textures(sheet, part)
         opened(sheet, kept)
         milling(sheet, part)
         preferences(sheet)
-        sheet.save()
         FreeCAD.closeDocument(document.Name)
+        thread(sheet)
+        sheet.save()
     return 0
