@@ -38,14 +38,10 @@ void look_ahead(PlannedBatch& batch, double turns_per_mm, const Decimals& decima
   for (std::size_t i = 0; i < batch.planned.size(); ++i) {
     const PlannedDimple& b = batch.planned[i];
     const double length = batch.turns[i] / turns_per_mm;
-    if (a && follows(*a, b) && length - kGoodFit > (b.tip - a->tip).norm()) {
-      const Vec3 up = a->normal + b.normal;
-      batch.corners.emplace_back(a->tip, b.tip, apex(a->tip, b.tip, up, length - kGoodFit),
-                                 apex(a->tip, b.tip, up, length + kGoodFit), length, decimals,
-                                 kGoodFit);
-    } else {
+    if (a && follows(*a, b))
+      batch.corners.emplace_back(a->tip, b.tip, a->normal + b.normal, length, decimals);
+    else
       batch.corners.emplace_back();
-    }
     a = &b;
   }
 }
@@ -105,8 +101,9 @@ class Polygons {
   void step(const PlannedDimple& a, const PlannedDimple& b, const PlannedBatch& batch,
             std::size_t i) {
     const double turns = batch.turns[i], length = build_.length_for(turns);
-    if (!short_ && batch.corners[i].holds_for(length))
-      return go(turns, batch.corners[i].fit(length, decimals_), b);
+    if (!short_)
+      if (const auto corner = batch.corners[i].fit(length, decimals_, kGoodFit))
+        return go(turns, *corner, b);
     const double distance = (b.tip - a.tip).norm();
     if (length < distance && !short_) short_ = Short{turns, distance, b.number};
     if (short_) {  // what follows is looked at for what all of them need
@@ -141,11 +138,7 @@ double posted_feed(double feed, const Decimals& decimals) {
 }
 
 Vec3 apex(const Vec3& a, const Vec3& b, const Vec3& up, double length) {
-  const Vec3 across = b - a;
-  const double d2 = across.squaredNorm();
-  const Vec3 lift = d2 > 0.0 ? Vec3(up - up.dot(across) / d2 * across) : up;
-  const double h = 0.5 * std::sqrt(std::max(0.0, length * length - d2));
-  return a + 0.5 * across + h * lift.normalized();
+  return Apexes(a, b, up).at(length);
 }
 
 ToolPath constant_feed_path(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,

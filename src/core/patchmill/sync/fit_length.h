@@ -5,7 +5,10 @@
 #pragma once
 
 #include "patchmill/path/rounding.h"
-#include "patchmill/sync/corner_legs.h"
+#include "patchmill/sync/corner_search.h"
+
+#include <array>
+#include <optional>
 
 namespace patchmill::sync {
 
@@ -21,42 +24,44 @@ inline double way_over(const Vec3& a, const Vec3& corner, const Vec3& b) {
 Vec3 fit_corner(const Vec3& a, const Vec3& ideal, const Vec3& b, double length,
                 const Decimals& decimals, double good_enough);
 
-/// Along which axes a corner is moved aside, and lifted to make up for it.
-struct Aside {
-  Aside() = default;
-  Aside(const Vec3& a, const Vec3& ideal, const Vec3& b, const Vec3& base, double length,
-        double unit);
-  Vec3 side = Vec3::Zero(), lift = Vec3::Zero();
-  int reach = 0;       ///< steps to the side
-  bool clear = false;  ///< the axes are the same for lengths nearby
-  Legs legs;
+/// The ideal corners of a step from `a` to `b` on two equal legs, the nearest way to `up` out of the way between them:
+/// apex() for any length.
+class Apexes {
+ public:
+  Apexes(const Vec3& a, const Vec3& b, const Vec3& up);
+  /// Of legs of `length` together [mm]; between `a` and `b` if that is too short.
+  Vec3 at(double length) const {
+    const double h = 0.5 * std::sqrt(std::max(0.0, length * length - square_));
+    return middle_ + h * up_;
+  }
+  /// {least, greatest} length of those whose ideal corner is `height` over the way or higher, and rounded to `base`
+  /// [mm]; spared is what rounding may add.
+  std::array<double, 2> lengths(double height, const Vec3& base, double unit) const;
+
+ private:
+  Vec3 middle_, up_;
+  double square_;  // of the way from a to b
 };
 
 /// What fit_corner() finds for lengths that are not known to the last yet: all of it that does not depend on them is
 /// done ahead, on any thread, since the lengths themselves come out one after the other.
 class CornerAhead {
  public:
-  /// Holds for no length.
+  /// Of no corner.
   CornerAhead() = default;
-  /// For lengths within `good_enough` of `length` [mm]; their ideal corners lie between those of the least and of the
-  /// greatest, in each coordinate.
-  CornerAhead(const Vec3& a, const Vec3& b, const Vec3& low_ideal, const Vec3& high_ideal,
-              double length, const Decimals& decimals, double good_enough);
+  /// For lengths about `length` [mm], with ideal corners over the way from `a` to `b` as apex() has them.
+  CornerAhead(const Vec3& a, const Vec3& b, const Vec3& up, double length,
+              const Decimals& decimals);
 
-  /// Whether fit() may be asked.
-  bool holds_for(double length) const { return length >= low_ && length <= high_; }
-  /// The corner that fit_corner() finds, to the last bit.
-  Vec3 fit(double length, const Decimals& decimals) const;
+  /// The corner that fit_corner() finds, to the last bit; nothing where that may be about another grid point.
+  std::optional<Vec3> fit(double length, const Decimals& decimals, double good_enough) const {
+    if (!(length >= low_ && length <= high_)) return std::nullopt;
+    return decimals.round(search_.best(length, good_enough));
+  }
 
  private:
-  static constexpr int kMostNear = 6;
-  Vec3 a_ = Vec3::Zero(), b_ = Vec3::Zero(), base_ = Vec3::Zero();
-  double good_ = 0.0, unit_ = 0.0;
+  CornerSearch search_;
   double low_ = 1.0, high_ = 0.0;  // lengths
-  int near_ = 0;                   // how many of the 27 points at the base may be the best
-  double ways_[kMostNear] = {};
-  int steps_[kMostNear] = {};
-  Aside aside_;
 };
 
 }  // namespace patchmill::sync
