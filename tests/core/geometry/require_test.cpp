@@ -45,5 +45,20 @@ TEST(Require, OneForEach) {
   }
 }
 
+std::string said(double value, const char* unit) {
+  try {
+    require_in_range("Exponent", value, 0.0, 0.9, unit);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Require, ANumberWithoutAUnitIsSaidWithoutOne) {
+  EXPECT_EQ(said(1.5, ""), "Exponent = 1.5: give a value from 0 to 0.9.");
+  EXPECT_EQ(said(1.5, "mm"), "Exponent = 1.5 mm: give a value from 0 to 0.9 mm.");
+  EXPECT_EQ(said(0.9, ""), "");
+}
+
 }  // namespace
 }  // namespace patchmill
