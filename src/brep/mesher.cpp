@@ -28,6 +28,9 @@ constexpr double kFine =
     1e-5;  // of the shape's size: coarser deflections make no great number of triangles
 constexpr double kFirst = 1e-3;  // of the shape's size: the first that is tried
 constexpr double kFiner = 8.0;   // times, from trial to trial
+constexpr double kSlow =
+    2.5e-5;  // of the shape's size: below, the mesher's own meshes take too long
+constexpr double kCoarse = 1e-4;  // of the shape's size: what is made instead
 constexpr double kSurely =
     1.1;  // times the deflection that would do, for small features join in later
 
@@ -72,11 +75,11 @@ double size_of(const TopoDS_Shape& shape) {
   return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
 }
 
-void require_few(const TopoDS_Shape& shape, double deflection, Angle angle, double most) {
-  const double size = size_of(shape);
+void require_few(const TopoDS_Shape& shape, double size, double deflection, Angle angle,
+                 double most) {
   if (!(deflection < kFine * size)) return;
   double at = kFirst * size, before = 0.0;
-  for (; at > deflection; at /= kFiner) {
+  for (; at > kCoarse * size; at /= kFiner) {
     mesh(shape, at, angle);
     const double count = triangles(shape);
     // a trial that makes no more than the one before says nothing of those to come
@@ -95,9 +98,12 @@ void require_few(const TopoDS_Shape& shape, double deflection, Angle angle, doub
 
 }  // namespace
 
-void mesh_faces(const TopoDS_Shape& shape, double deflection, Angle angle, double most) {
-  require_few(shape, deflection, angle, most);
-  mesh(shape, deflection, angle);
+double mesh_faces(const TopoDS_Shape& shape, double deflection, Angle angle, double most) {
+  const double size = size_of(shape);
+  require_few(shape, size, deflection, angle, most);
+  const double made = deflection < kSlow * size ? kCoarse * size : deflection;
+  mesh(shape, made, angle);
+  return made;
 }
 
 }  // namespace patchmill

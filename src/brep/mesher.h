@@ -11,8 +11,9 @@
 namespace patchmill {
 
 /// Triangulates all faces of a shape anew, triangles no further than `deflection` [mm] from it and at most `angle`
-/// between neighbours of one face. Errors: InputError naming Deflection, with one that does, where more than about
-/// `most` triangles would be made; Standard_Failure of OpenCASCADE.
-void mesh_faces(const TopoDS_Shape& shape, double deflection, Angle angle, double most);
+/// between neighbours of one face. Where that is so fine that the mesher would take long, a coarser deflection is
+/// taken, and refine() is to do the rest; returns what was taken [mm]. Errors: InputError naming Deflection, with one
+/// that does, where more than about `most` triangles would be made; Standard_Failure of OpenCASCADE.
+double mesh_faces(const TopoDS_Shape& shape, double deflection, Angle angle, double most);
 
 }  // namespace patchmill

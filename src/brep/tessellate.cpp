@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/tessellate.h"
 
+#include "brep/face_mesh.h"
 #include "brep/mesher.h"
 #include "patchmill/geometry/error.h"
 
@@ -29,40 +30,21 @@ using Index = std::int32_t;
 
 constexpr double kFinest = 1e-5;  // mm; below 1e-7 OpenCASCADE makes nothing
 
-/// Sets of nodes that are one vertex; the lowest number stands for a set.
-class Merger {
- public:
-  Index add() {
-    parent_.push_back(static_cast<Index>(parent_.size()));
-    return parent_.back();
-  }
-  Index of(Index node) {
-    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-    return node;
-  }
-  void unite(Index a, Index b) {
-    a = of(a);
-    b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
-
 struct MeshedFace {
   TopoDS_Face face;
   Handle(Poly_Triangulation) triangles;
   TopLoc_Location location;
   Index first = 0;  ///< node 1 of the face has this number
+  Index number = 0;
 };
 
 /// Gathers the faces' nodes and makes those one that the topology says are one.
 class Assembly {
  public:
   void add(const TopoDS_Face& face, Index number) {
-    MeshedFace meshed{face, {}, {}, static_cast<Index>(points_.size())};
+    MeshedFace meshed{face, {}, {}, static_cast<Index>(mesh_.nodes.size()), number};
     meshed.triangles = BRep_Tool::Triangulation(face, meshed.location);
+    mesh_.surfaces.push_back(new BRepAdaptor_Surface(face, false));
     if (meshed.triangles.IsNull() || meshed.triangles->NbTriangles() == 0) {
       missing_.push_back(number);
       return;
@@ -70,33 +52,35 @@ class Assembly {
     const gp_Trsf move = meshed.location.Transformation();
     for (int i = 1; i <= meshed.triangles->NbNodes(); ++i) {
       const gp_Pnt p = meshed.triangles->Node(i).Transformed(move);
-      points_.emplace_back(p.X(), p.Y(), p.Z());
-      nodes_.add();
+      mesh_.add({Vec3(p.X(), p.Y(), p.Z()), meshed.triangles->UVNode(i)});
     }
     for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next())
       join(meshed, TopoDS::Edge(e.Current()));
-    collect(meshed, number);
+    collect(meshed);
   }
 
   const std::vector<Index>& missing() const { return missing_; }
 
+  void refine(double deflection, double most) { patchmill::refine(mesh_, deflection, most); }
+
   void finish(Tessellation& result) {
-    std::vector<Index> vertex(points_.size(), -1);
+    std::vector<Index> vertex(mesh_.nodes.size(), -1);
     const auto vertex_of = [&](Index node) {
-      Index& known = vertex[static_cast<std::size_t>(nodes_.of(node))];
+      Index& known = vertex[static_cast<std::size_t>(mesh_.same.of(node))];
       if (known < 0) {
         known = static_cast<Index>(result.mesh.vertices.size());
-        result.mesh.vertices.push_back(points_[static_cast<std::size_t>(nodes_.of(node))]);
+        result.mesh.vertices.push_back(
+            mesh_.nodes[static_cast<std::size_t>(mesh_.same.of(node))].point);
       }
       return known;
     };
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      auto corner = corners_[i];
-      for (Index& c : corner) c = nodes_.of(c);
+    for (std::size_t i = 0; i < mesh_.corners.size(); ++i) {
+      auto corner = mesh_.corners[i];
+      for (Index& c : corner) c = mesh_.same.of(c);
       if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
       for (Index& c : corner) c = vertex_of(c);
       result.mesh.triangles.push_back(corner);
-      result.face.push_back(face_[i]);
+      result.face.push_back(mesh_.face[i]);
     }
   }
 
@@ -114,25 +98,53 @@ class Assembly {
     join_vertex(TopExp::FirstVertex(forward), node(1));
     join_vertex(TopExp::LastVertex(forward), node(count));
     if (BRep_Tool::Degenerated(edge)) {
-      for (int k = 2; k <= count; ++k) nodes_.unite(node(1), node(k));
+      for (int k = 2; k <= count; ++k) mesh_.same.unite(node(1), node(k));
+      const gp_XY along = mesh_.nodes[node(count)].at.XY() - mesh_.nodes[node(1)].at.XY();
+      const Pole pole = std::abs(along.X()) > std::abs(along.Y()) ? Pole::U : Pole::V;
+      for (int k = 1; k <= count; ++k) mesh_.nodes[node(k)].pole = pole;
       return;
     }
+    keep_pieces(meshed, edge, *polygon);
     const int number = edges_.Add(edge);
     std::vector<Index>& known = edge_nodes_[number];
     if (known.empty())
       for (int k = 1; k <= count; ++k) known.push_back(node(k));
     else if (known.size() == static_cast<std::size_t>(count))
       for (int k = 1; k <= count; ++k)
-        nodes_.unite(known[static_cast<std::size_t>(k - 1)], node(k));
+        mesh_.same.unite(known[static_cast<std::size_t>(k - 1)], node(k));
+  }
+
+  /// What an edge is between neighbouring nodes, for those who cut it there.
+  void keep_pieces(const MeshedFace& meshed, const TopoDS_Edge& edge,
+                   const Poly_PolygonOnTriangulation& polygon) {
+    double from = 0.0, to = 0.0;
+    Handle(Geom2d_Curve) on_face = BRep_Tool::CurveOnSurface(edge, meshed.face, from, to);
+    if (on_face.IsNull() || !polygon.HasParameters()) return;
+    const TopoDS_Shape other = edge.Reversed();  // of a seam: on which side the nodes are, they say
+    const Handle(Geom2d_Curve) other_side =
+        BRep_Tool::CurveOnSurface(TopoDS::Edge(other), meshed.face, from, to);
+    const gp_Pnt2d first = mesh_.nodes[meshed.first + polygon.Node(1) - 1].at;
+    const auto away = [&](const Handle(Geom2d_Curve) & curve) {
+      return curve->Value(polygon.Parameter(1)).SquareDistance(first);
+    };
+    if (away(other_side) < away(on_face)) on_face = other_side;
+    for (int k = 1; k < polygon.NbNodes(); ++k) {
+      const Index a = meshed.first + polygon.Node(k) - 1,
+                  b = meshed.first + polygon.Node(k + 1) - 1;
+      EdgePiece piece{mesh_.edges.size(), polygon.Parameter(k), polygon.Parameter(k + 1)};
+      if (a > b) std::swap(piece.from, piece.to);
+      mesh_.pieces[FaceMesh::pair(a, b)] = piece;
+    }
+    mesh_.edges.push_back({new BRepAdaptor_Curve(edge), on_face});
   }
 
   void join_vertex(const TopoDS_Vertex& vertex, Index node) {
     if (vertex.IsNull()) return;
     const auto [at, is_new] = vertex_node_.try_emplace(vertices_.Add(vertex), node);
-    if (!is_new) nodes_.unite(at->second, node);
+    if (!is_new) mesh_.same.unite(at->second, node);
   }
 
-  void collect(const MeshedFace& meshed, Index number) {
+  void collect(const MeshedFace& meshed) {
     const bool flip = (meshed.face.Orientation() == TopAbs_REVERSED) !=
                       meshed.location.Transformation().IsNegative();
     for (int i = 1; i <= meshed.triangles->NbTriangles(); ++i) {
@@ -140,15 +152,13 @@ class Assembly {
       meshed.triangles->Triangle(i).Get(a, b, c);
       if (flip) std::swap(b, c);
       const Index from = meshed.first - 1;
-      corners_.push_back({from + a, from + b, from + c});
-      face_.push_back(number);
+      mesh_.corners.push_back({from + a, from + b, from + c});
+      mesh_.face.push_back(meshed.number);
     }
   }
 
-  std::vector<Vec3> points_;
-  Merger nodes_;
-  std::vector<std::array<Index, 3>> corners_;
-  std::vector<Index> face_, missing_;
+  FaceMesh mesh_;
+  std::vector<Index> missing_;
   TopTools_IndexedMapOfShape edges_, vertices_;  // by IsSame: orientation does not count
   std::map<int, std::vector<Index>> edge_nodes_;
   std::map<int, Index> vertex_node_;
@@ -189,9 +199,12 @@ Tessellation tessellate(const TopoDS_Shape& shape, const TessellationOptions& op
   Assembly assembly;
   Index faces = 0;
   try {
-    mesh_faces(shape, options.deflection, options.angle, options.most_triangles);
+    const double meshed =
+        mesh_faces(shape, options.deflection, options.angle, options.most_triangles);
     for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
       assembly.add(TopoDS::Face(e.Current()), faces++);
+    if (meshed > options.deflection)
+      assembly.refine(options.deflection, 2.0 * options.most_triangles);
   } catch (const Standard_Failure& error) {
     result.reason = fmt::format("The mesher failed: {}.", error.GetMessageString());
     return result;

@@ -17,7 +17,7 @@ struct TessellationOptions {
   /// miss it by a factor of two.
   double deflection = 0.01;
   Angle angle = Angle::degrees(20);  ///< between neighbouring triangles of one face
-  double most_triangles = 2e6;  ///< about so many are made at most, which takes a minute or two
+  double most_triangles = 2e6;  ///< about so many are made at most, which takes some ten seconds
 };
 
 struct Tessellation {

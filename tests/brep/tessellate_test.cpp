@@ -47,6 +47,74 @@ TEST(Tessellate, SolidsOfKnownVolumeAreClosed) {
   expect_solid(BRepPrimAPI_MakeTorus(3.0, 1.0).Solid(), 6.0 * kPi * kPi, 12.0 * kPi * kPi);
 }
 
+/// How far the middles of a mesh's edges and triangles are from the shape that `height` is the distance from, at most.
+template <class Height>
+double farthest(const mesh::TriangleMesh& mesh, Height&& height) {
+  double most = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    for (const Vec3& p :
+         {Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3(0.5 * (c + a)), Vec3((a + b + c) / 3.0)})
+      most = std::max(most, std::abs(height(p)));
+  }
+  return most;
+}
+
+/// A mesh so fine that it is a coarser one made finer.
+template <class Height>
+void expect_refined(const TopoDS_Shape& shape, double deflection, double volume_of_it,
+                    double most_triangles, Height&& height) {
+  const Tessellation t = tessellate(shape, within(deflection));
+  ASSERT_TRUE(t.closed) << t.reason;
+  EXPECT_LE(farthest(t.mesh, height), deflection);
+  EXPECT_LT(static_cast<double>(t.mesh.triangles.size()), most_triangles);
+  EXPECT_NEAR(volume(t.mesh), volume_of_it, mesh::surface_area(t.mesh) * deflection);
+  EXPECT_EQ(t.face.size(), t.mesh.triangles.size());
+}
+
+// Seams, poles, an apex, round edges of flat faces, faces that bend both ways. A lattice of right-angled triangles has
+// two for each place, of sides sqrt(8 r deflection) each way; halving makes edges up to half as long as need be, and so
+// up to four times as many.
+TEST(Tessellate, FineMeshesAreWithinTheirDeflectionAndClosed) {
+  expect_refined(BRepPrimAPI_MakeSphere(10.0).Solid(), 8e-4, 4000.0 / 3.0 * kPi,
+                 8.0 * 400.0 * kPi / (80.0 * 8e-4), [](const Vec3& p) { return p.norm() - 10.0; });
+  expect_refined(BRepPrimAPI_MakeTorus(10.0, 2.0).Solid(), 8e-4, 80.0 * kPi * kPi,
+                 8.0 * 80.0 * kPi * kPi / (8.0 * std::sqrt(20.0) * 8e-4), [](const Vec3& p) {
+                   return std::hypot(std::hypot(p.x(), p.y()) - 10.0, p.z()) - 2.0;
+                 });
+  expect_refined(BRepPrimAPI_MakeCylinder(10.0, 5.0).Solid(), 1e-4, 500.0 * kPi, 1e5,
+                 [](const Vec3& p) {
+                   return std::max({std::hypot(p.x(), p.y()) - 10.0, -p.z(), p.z() - 5.0});
+                 });
+  expect_refined(BRepPrimAPI_MakeCone(10.0, 0.0, 10.0).Solid(), 1e-4, 1000.0 / 3.0 * kPi, 1e5,
+                 [](const Vec3& p) {
+                   return std::max((std::hypot(p.x(), p.y()) + p.z() - 10.0) / std::sqrt(2.0),
+                                   -p.z());
+                 });
+}
+
+// The round edge of a flat face is followed, not only the faces beside it.
+TEST(Tessellate, FineMeshesFollowTheEdgesOfFlatFaces) {
+  const double deflection = 1e-4;
+  const Tessellation t =
+      tessellate(BRepPrimAPI_MakeCylinder(10.0, 5.0).Solid(), within(deflection));
+  double area = 0.0;
+  for (const auto& corner : t.mesh.triangles) {
+    const Vec3 &a = t.mesh.vertices[corner[0]], &b = t.mesh.vertices[corner[1]],
+               &c = t.mesh.vertices[corner[2]];
+    if (a.z() == 0.0 && b.z() == 0.0 && c.z() == 0.0) area += 0.5 * (b - a).cross(c - a).norm();
+  }
+  EXPECT_LT(area, 100.0 * kPi);
+  EXPECT_NEAR(area, 100.0 * kPi, 20.0 * kPi * deflection);
+}
+
+TEST(Tessellate, AFineMeshIsTheSameEachTime) {
+  const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(10.0, 2.0).Solid();
+  const Tessellation one = tessellate(torus, within(8e-4)), other = tessellate(torus, within(8e-4));
+  EXPECT_EQ(one.mesh.vertices, other.mesh.vertices);
+  EXPECT_EQ(one.mesh.triangles, other.mesh.triangles);
+}
+
 // A sphere of 10 mm within 10 nm would be about 10 million triangles: it is refused after two coarse meshes, and
 // what the refusal says does, without being much coarser than need be.
 TEST(Tessellate, MoreTrianglesThanThereIsRoomForAreRefusedBeforeTheyAreMade) {

@@ -15,6 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 import _patchmill as core  # noqa: E402
 import FreeCAD  # noqa: E402
+import numpy as np  # noqa: E402
 import Part  # noqa: E402
 import patchmill  # noqa: E402
 from parts import WithDocuments, job_on, tilted_box  # noqa: E402
@@ -58,6 +59,15 @@ class FineMeshes(unittest.TestCase):
                 triangles = len(core.tessellate(ball, 0.01).triangles) * 0.01 / enough
                 self.assertLess(triangles, 2e6)
                 self.assertGreater(triangles, 1.2e6)
+
+    def test_they_are_within_their_deflection(self):
+        """Of a torus, with both of its seams."""
+        made = core.tessellate(Part.makeTorus(10, 2).exportBrepToString(), 8e-4)
+        self.assertTrue(made.closed, made.reason)
+        self.assertLess(len(made.triangles), 2e5)
+        middles = made.vertices[made.triangles].mean(axis=1)
+        off = np.hypot(np.hypot(middles[:, 0], middles[:, 1]) - 10.0, middles[:, 2]) - 2.0
+        self.assertLess(np.abs(off).max(), 8e-4)
 
 
 class Memory(WithDocuments):
