@@ -19,8 +19,7 @@ std::string in_unit(double value, const char* unit) {
 
 void require_positive(const char* property, double value, const char* unit) {
   if (std::isfinite(value) && value > 0.0) return;
-  throw InputError(property, in_unit(value, unit),
-                   "give a finite value greater than zero.");
+  throw InputError(property, in_unit(value, unit), "give a finite value greater than zero.");
 }
 
 void require_in_range(const char* property, double value, double lo, double hi, const char* unit) {
