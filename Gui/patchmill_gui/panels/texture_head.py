@@ -169,6 +169,8 @@ class Head(QtGui.QFrame):
             return
         area, m, bar = self._area, self._margins, self._area.verticalScrollBar()
         width, before = area.width(), area.viewportMargins().top() - m.top()
+        for layout in (self.fixes, self.layout()):
+            layout.invalidate()  # buttons that broke their text anew have told neither that they are higher
         height = max(self.layout().heightForWidth(width), self.layout().minimumSize().height())
         rows_stay = self._settled and not resized and _is_at_work_in(area)
         if rows_stay:
