@@ -10,8 +10,11 @@ import sys
 import traceback
 
 import driver
+import FreeCAD
 import FreeCADGui
 import hands
+import Part
+from patchmill.freecad import preferences
 from patchmill.operations.texture_operation import ObjectTexture
 from patchmill_gui.forms import machine_editor, post_dialog
 from PySide import QtCore, QtGui
@@ -20,6 +23,13 @@ FIELDS = (QtGui.QAbstractSpinBox, QtGui.QLineEdit, QtGui.QPlainTextEdit)
 KINDS = FIELDS + (QtGui.QComboBox, QtGui.QAbstractButton, QtGui.QSlider, QtGui.QListWidget)
 TEXTURE_VALUES = [row[1] for row in ObjectTexture.properties()]
 OWNERS = KINDS + (QtGui.QDialogButtonBox,)
+CYLINDER = "Part::GeomCylinder"
+THREAD = (
+    ("Machine", "four-axis-mill"),
+    ("Strategy", "Spindle-locked"),
+    ("ToolAxisMode", "Normal"),
+    ("Order", "Thread"),
+)
 LEFT = ("Simulate", "SaveRelief", "Preview", "Play")  # buttons that compute or run: other tests press them
 
 
@@ -133,6 +143,38 @@ class Controls(driver.BlockTest):
         self.texture("PatchMill_CalibrationPatch", ["Phase"])
         self.assertGreater(len(self.touched), 15)
 
+    def test_a_thread(self):
+        FreeCAD.closeDocument(self.document.Name)
+        roller = Part.makeCylinder(6, 4, FreeCAD.Vector(), FreeCAD.Vector(1, 0, 0))
+        self.document, self.part = driver.new_document(roller)
+        operation, panel = self.begin_thread()
+        form = panel.page.properties
+        panel.page.advanced.heading.setChecked(True)
+        for group in form.groups.values():
+            group.heading.setChecked(True)
+        driver.rest(0.3)
+        self.drive(panel.page.form, self.values_of(operation, form.rows))
+        self.assertIsNone(panel.error)
+        self.assertGreater(len(self.touched), 20)
+        panel.reject()
+
+    def begin_thread(self):
+        """A texture whose order, machine and posture were chosen by mouse; (operation, panel)."""
+        face = next(n for n, f in enumerate(self.part.Shape.Faces, 1) if f.Surface.TypeId == CYLINDER)
+        driver.select(self.part, "Face%d" % face)
+        FreeCADGui.runCommand("PatchMill_CurvedTexture")
+        operation = self.document.getObject("CurvedTexture")
+        panel = driver.panel_of(operation)
+        self.settled(panel)
+        rows = panel.page.properties.rows
+        panel.page.advanced.heading.setChecked(True)
+        rows["Order"].group.heading.setChecked(True)
+        for name, choice in THREAD:
+            hands.choose(rows[name].editor, choice)
+        self.assertTrue(driver.ready(panel))
+        self.assertIsNone(panel.error)
+        return operation, panel
+
     def test_copy_milling_and_its_modifier(self):
         driver.run_on(self.part, "PatchMill_CopyMilling")
         operation = self.document.getObject("CopyMilling")
@@ -144,6 +186,9 @@ class Controls(driver.BlockTest):
         driver.run_on(operation, "PatchMill_DressupDcm")
         dressup = self.document.getObject("DressupDCM")
         panel = dressup.ViewObject.Proxy.panel
+        for group in panel.form_rows.groups.values():  # also the load and its limits
+            group.heading.setChecked(True)
+        driver.rest(0.3)
         self.drive(panel.form, self.values_of(dressup, panel.form_rows.rows))
         panel.reject()
         self.assertGreater(len(self.touched), 20)
@@ -165,6 +210,33 @@ class Controls(driver.BlockTest):
     def outside(task):
         """Names of the controls of FreeCAD's own that are in the same dock."""
         return [w.objectName() for w in task.findChildren(QtGui.QAbstractButton) if "qt_" in w.objectName()]
+
+    def test_the_preferences(self):
+        group = FreeCAD.ParamGet(preferences.PATH)
+        before, failed = sorted(group.GetContents() or []), []
+
+        def drive():
+            dialog = QtGui.QApplication.activeModalWidget()
+            if dialog is None:
+                return QtCore.QTimer.singleShot(100, drive)
+            try:
+                hands.give_keyboard(dialog)
+                page = next(w for w in dialog.findChildren(QtGui.QWidget, "PatchMillPreferences"))
+                self.drive(page, lambda: sorted(group.GetContents() or []))
+                hands.click_button("OK", dialog)
+            except Exception as error:  # told below: within the dialog's loop nobody would see it
+                failed.append(error)
+                dialog.reject()
+
+        QtCore.QTimer.singleShot(500, drive)
+        FreeCADGui.showPreferences("PatchMill", 0)
+        self.assertEqual(failed, [])
+        self.assertGreater(len(self.touched), 6)
+        self.assertLessEqual(set(before), set(group.GetContents()))  # OK writes the others as they are shown
+        self.assertEqual(preferences.tool(), preferences.Tool())
+        values = preferences.operation_defaults()
+        self.assertEqual(values, {"Spacing": 0.5, "Machine": values["Machine"], "Decimals": 3})
+        self.assertEqual((preferences.threads(), preferences.post()), (0, "linuxcnc"))
 
     def test_the_window_of_machines(self):
         window = machine_editor.show("table-table-ac")
