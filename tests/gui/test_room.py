@@ -232,10 +232,9 @@ class Room(driver.BlockTest):
             FreeCADGui.setLocale(language)
             self.narrow()
             _, panel = driver.begin_texture(self.part)
-            driver.wait(lambda: not panel.advising.assessing.busy, 200)
-            driver.rest(0.5)
-            panel.advising.helping.cancel()
             head = panel.advising.head
+            for work in (panel.advising.assessing, panel.advising.helping):
+                work.cancel()  # or what they find would take the place of what is offered here
             axis = (1.0, 0.0, 0.0)
             head.offer([remedies.Remedy(kind, *given, axis, 30.0) for kind in ("along", "incline")])
             driver.rest(0.6)
