@@ -101,8 +101,9 @@ FaceProjection::Outcome FaceProjection::newton(const Vec2& q, const Seed& seed, 
     const Vec3 su = frame_.along(surface.du), sv = frame_.along(surface.dv);
     const double ru = q.x() - at.x(), rv = q.y() - at.y();
     const double det = su.x() * sv.y() - su.y() * sv.x();
-    const double size = su.norm() * sv.norm();
-    if (!(std::abs(det) > 1e-9 * size)) return Outcome::Failed;
+    const double most = su.lpNorm<1>() * sv.lpNorm<1>();  // not less than with roots
+    if (!(std::abs(det) > 1e-9 * most) && !(std::abs(det) > 1e-9 * (su.norm() * sv.norm())))
+      return Outcome::Failed;
     const double du = (ru * sv.y() - rv * sv.x()) / det, dv = (su.x() * rv - su.y() * ru) / det;
     u += du;
     v += dv;

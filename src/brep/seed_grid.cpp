@@ -27,7 +27,9 @@ bool inverse_bilinear(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d
     const Vec2 r = a + s * ds + t * dt + s * t * dst - p;
     const Vec2 js = ds + t * dst, jt = dt + s * dst;
     const double det = cross(js, jt);
-    if (std::abs(det) < 1e-12 * (js.norm() * jt.norm() + 1e-300)) return false;
+    const double size = js.lpNorm<1>() * jt.lpNorm<1>() + 1e-300;  // not less than with roots
+    if (std::abs(det) < 1e-12 * size && std::abs(det) < 1e-12 * (js.norm() * jt.norm() + 1e-300))
+      return false;
     const double step_s = -cross(r, jt) / det, step_t = -cross(js, r) / det;
     s += step_s;
     t += step_t;

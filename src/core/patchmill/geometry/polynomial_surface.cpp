@@ -23,9 +23,15 @@ void to_powers(Vec4* c, int n, int stride) {
   }
 }
 
-// The span of `knots` that holds `t` (the first or last one if none does).
-std::size_t span_of(const std::vector<double>& knots, double t) {
+// The span of `knots` that holds `t` (the first or last one if none does). Knots are mostly evenly spaced: `rate`,
+// spans for each unit, tells which it is then.
+std::size_t span_of(const std::vector<double>& knots, double rate, double t) {
   if (knots.size() == 2) return 0;
+  const double about = (t - knots.front()) * rate;
+  if (about >= 0.0 && about < double(knots.size() - 1)) {
+    const auto i = static_cast<std::size_t>(about);
+    if (t >= knots[i] && t < knots[i + 1]) return i;
+  }
   const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, t);
   return static_cast<std::size_t>(next - knots.begin()) - 1;
 }
@@ -47,6 +53,11 @@ PolynomialSurface::PolynomialSurface(int u_degree, int v_degree, std::vector<dou
   if (!degrees_fit || u_knots_.size() < 2 || v_knots_.size() < 2 ||
       power_.size() != (u_knots_.size() - 1) * (v_knots_.size() - 1) * patch)
     throw std::invalid_argument("PolynomialSurface: sizes do not fit");
+  const auto rate = [](const std::vector<double>& k) {
+    return double(k.size() - 1) / (k.back() - k.front());
+  };
+  u_rate_ = rate(u_knots_);
+  v_rate_ = rate(v_knots_);
   for (std::size_t first = 0; first < power_.size(); first += patch) {
     Vec4* c = &power_[first];
     for (int a = 0; a <= u_degree; ++a) to_powers(c + a * (v_degree + 1), v_degree, 1);
@@ -55,7 +66,7 @@ PolynomialSurface::PolynomialSurface(int u_degree, int v_degree, std::vector<dou
 }
 
 SurfaceD1 PolynomialSurface::d1(double u, double v) const {
-  const std::size_t i = span_of(u_knots_, u), j = span_of(v_knots_, v);
+  const std::size_t i = span_of(u_knots_, u_rate_, u), j = span_of(v_knots_, v_rate_, v);
   const double u_width = u_knots_[i + 1] - u_knots_[i], v_width = v_knots_[j + 1] - v_knots_[j];
   const double s = (u - u_knots_[i]) / u_width, t = (v - v_knots_[j]) / v_width;
   const int rows = u_degree_ + 1, columns = v_degree_ + 1;

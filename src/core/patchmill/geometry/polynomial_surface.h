@@ -37,6 +37,7 @@ class PolynomialSurface {
   int u_degree_, v_degree_;
   bool rational_;
   std::vector<double> u_knots_, v_knots_;
+  double u_rate_ = 0.0, v_rate_ = 0.0;  // spans for each unit of the parameter, on average
   std::vector<Eigen::Vector4d> power_;  // like the constructor's, in powers of the local parameter
 };
 
