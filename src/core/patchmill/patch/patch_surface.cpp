@@ -138,9 +138,8 @@ void each(std::size_t count, const Visit& visit) {
 bool sample_all(const LatticeSampler& sampler, const Progress& progress, Dimples& dimples) {
   std::vector<Vec2> batch;
   for (std::size_t first = 0; first < dimples.size(); first += batch.size()) {
-    batch.clear();
-    for (std::size_t k = first; k < dimples.size() && batch.size() < kBatch; ++k)
-      batch.push_back(to_vec(dimples[k].lattice));
+    batch.resize(std::min(kBatch, dimples.size() - first));
+    each(batch.size(), [&](std::size_t i) { batch[i] = to_vec(dimples[first + i].lattice); });
     const std::vector<SurfaceSample> samples = sampler(batch);
     each(batch.size(), [&](std::size_t i) {
       dimples[first + i].state = samples[i].state;
