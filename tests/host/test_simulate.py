@@ -85,6 +85,24 @@ class Simulate(unittest.TestCase):
                 patchmill.simulate(self.op, program=name, path=posted[0].path)
             self.assertEqual(caught.exception.property, "Path")
 
+    def test_posted_locks_make_the_same_relief(self):
+        """K of a rounded corner's moves is smaller by what the rounding takes off the way."""
+        locked = {"Strategy": "Spindle-locked", "Machine": "linuxcnc-mill", "SameFlute": False}
+        for name, value in dict(locked, ExtraTurns=0.0).items():
+            setattr(self.op, name, value)
+        self.job.PostProcessor = "patchmill_linuxcnc"
+        plan = patchmill.recompute(self.op)
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "x.ngc")
+            posted = patchmill.post(self.job, name)
+            timed = [one.turns[~np.isnan(one.turns)] for one in (posted[0].path, plan.path)]
+            np.testing.assert_allclose(*timed, atol=1e-6)
+            window = ((-2, -2), (2, 2))
+            ours = patchmill.simulate(self.op, window=window)
+            other = patchmill.simulate(self.op, program=name, window=window)
+        self.assertAlmostEqual(other.quality, ours.quality, places=4)
+        self.assertEqual(other.data()["missing"], 0)
+
     def test_a_window_is_the_part_of_the_whole(self):
         whole = patchmill.simulate(self.op)
         part = patchmill.simulate(self.op, window=((-1.0, -1.0), (1.0, 1.0)))

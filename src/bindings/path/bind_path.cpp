@@ -4,6 +4,8 @@
 #include "patchmill/geometry/require.h"
 #include "patchmill/path/tool_path.h"
 
+#include <cmath>
+
 namespace patchmill {
 namespace {
 
@@ -57,6 +59,19 @@ ToolPath with_dimples(ToolPath path, const std::vector<std::int32_t>& dimples) {
     if (dimples[i] < 0 && dimples[i] != kNoDimple)
       throw InputError("dimples", std::to_string(dimples[i]), "give 0 or more, or NO_DIMPLE.");
     path.moves[i].dimple = dimples[i];
+  }
+  return path;
+}
+
+ToolPath with_turns(ToolPath path, const std::vector<double>& turns) {
+  if (turns.size() != path.moves.size())
+    throw InputError("turns", std::to_string(turns.size()) + " numbers",
+                     "give one for each of " + std::to_string(path.moves.size()) + " moves.");
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    if (path.moves[i].kind == MoveKind::Rapid) continue;
+    if (!(turns[i] > 0.0) || std::isinf(turns[i]))
+      throw InputError("turns", std::to_string(turns[i]), "give a number greater than zero.");
+    path.moves[i].turns = turns[i];
   }
   return path;
 }
@@ -208,6 +223,9 @@ void bind_path(py::module_& m) {
   m.def("with_dimples", &with_dimples, py::arg("path"), py::arg("dimples"),
         "The path with the number of the dimple on which each move ends, or NO_DIMPLE. Raises "
         "InputError naming dimples.");
+  m.def("with_turns", &with_turns, py::arg("path"), py::arg("turns"),
+        "The path with other turns of the spindle on each move that is no rapid. Raises InputError "
+        "naming turns.");
 }
 
 }  // namespace patchmill

@@ -75,9 +75,35 @@ def find(operation, plan, told, program, after):
         )
     _check_spindle(plan, path)
     _require_paces(operation, plan, section, program)
+    path = as_rounded(plan, path)
     blind = program.lowest_blind(section.lines[: section.unplaced])
     errors = _errors(operation, plan, path)
     return PostedTexture(operation, path, match, errors, section.unplaced, blind=blind), run
+
+
+def as_rounded(plan, path):
+    """The ToolPath of a section that was read, a locked one with the turns that its K words amount to: at a
+    rounded corner the way is shorter, and K is smaller by as much. So moves take the plan's turns, times what
+    they are told over what the planned words tell."""
+    if plan.thread is not None or not strategies.of(plan.input.strategy).locked:
+        return path
+    planned = _planned_words(plan).path
+    timed, told = (one.kinds != core.MoveKind.RAPID for one in (path, planned))
+    own = plan.path.kinds != core.MoveKind.RAPID
+    if not timed.sum() == told.sum() == own.sum():
+        return path
+    turns = np.array(path.turns)
+    turns[timed] *= plan.path.turns[own] / planned.turns[told]
+    return core.with_turns(path, turns.tolist())
+
+
+def _planned_words(plan):
+    """The section that the plan's own words are read as."""
+    head = "%s S%d\n" % (plan.input.spindle.sense, round(60.0 * plan.input.spindle.speed))
+    words = re.sub(
+        r"F([0-9.]+)", lambda f: "F%.9f" % (60.0 * float(f.group(1))), str(plan.pacing.text)
+    )
+    return core.read_gcode(head + words, plan.input.tool, rotary=plan.posture is not None)[-1]
 
 
 def _errors(op, plan, path):
@@ -99,12 +125,7 @@ def _errors(op, plan, path):
 def _require_paces(op, plan, section, program):
     """Every timed move of a section has the F or K that the planned words say, to the last decimal that the
     program writes. Where a control has no inverse time, F is what takes as long."""
-    head = "%s S%d\n" % (plan.input.spindle.sense, round(60.0 * plan.input.spindle.speed))
-    words = re.sub(
-        r"F([0-9.]+)", lambda f: "F%.9f" % (60.0 * float(f.group(1))), str(plan.pacing.text)
-    )
-    planned = core.read_gcode(head + words, plan.input.tool, rotary=plan.posture is not None)[-1]
-    want, have = (_paces(one) for one in (planned, section))
+    want, have = (_paces(one) for one in (_planned_words(plan), section))
     if len(want["feeds"]) == len(have["feeds"]):
         near = program.half_feed + SAVED_FEED + 1e-9 * np.nan_to_num(want["feeds"])
         off = np.abs(want["feeds"] - have["feeds"]) > near

@@ -82,7 +82,12 @@ def _recorded(plan, samples):
 
 
 def read_program(plan, filename, dialect):
-    """The ToolPath of the section of a G-code file that holds the plan. Raises InputError naming Program."""
+    """The ToolPath of the section of a G-code file that holds the plan, with the turns that its words amount
+    to. Raises InputError naming Program."""
+    return posted_texture.as_rounded(plan, _section(plan, filename, dialect))
+
+
+def _section(plan, filename, dialect):
     text = files.read_text(filename, "Program", other="latin-1")
     best, found = None, -1
     half_unit = 0.5 * 10.0**-plan.input.decimals
