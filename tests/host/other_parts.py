@@ -59,9 +59,10 @@ def trough():
     return where(shape, lambda f: f.Surface.TypeId == "Part::GeomCylinder")
 
 
-def bore():
+def bore(radius=8.0, deep=10.0):
     """The inside of a hole."""
-    shape = Part.makeBox(24, 24, 10).cut(Part.makeCylinder(8, 10, V(12, 12, 0)))
+    side = 3.0 * radius
+    shape = Part.makeBox(side, side, deep).cut(Part.makeCylinder(radius, deep, V(side / 2, side / 2, 0)))
     return where(shape, lambda f: f.Surface.TypeId == "Part::GeomCylinder")
 
 
