@@ -1,5 +1,5 @@
-"""tools/freecad tools/parts_of_others.py: the host tests of textures and of CopyMilling on parts of others, none
-of them smaller and none of the textures coarser than the rest, as these tests have them to be short; six
+"""tools/freecad tools/parts_of_others.py: the host tests of textures and of CopyMilling on parts of others,
+none of them smaller and none of the textures coarser than the rest, as these tests have them to be short; six
 minutes of processor time.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
