@@ -15,7 +15,7 @@ import FreeCAD  # noqa: E402
 import one_click  # noqa: E402
 import quality_parts  # noqa: E402
 from patchmill.advice import remedies  # noqa: E402
-from patchmill.advice.found import Assessment, PatchQuality  # noqa: E402
+from patchmill.advice.found import Assessment, PatchQuality, is_better  # noqa: E402
 from patchmill_gui.panels import texture_head  # noqa: E402
 
 
@@ -64,9 +64,9 @@ class LeavingOut(unittest.TestCase):
         less = Assessment(40, 0.4, {}, patches(1.0))
         self.assertEqual([one.remains_good for one in (now, rest, less)], [False, True, True])
         self.assertEqual([one.good for one in (now, rest, less)], [False, False, False])
-        self.assertTrue(remedies._is_better(rest, now))
-        self.assertFalse(remedies._is_better(less, now))
-        self.assertFalse(remedies._is_better(rest, rest))
+        self.assertTrue(is_better(rest, now))
+        self.assertFalse(is_better(less, now))
+        self.assertFalse(is_better(rest, rest))
         self.assertFalse(replace(rest, whole=0.9).remains_good)
 
     def test_the_button_says_how_steep(self):

@@ -17,8 +17,8 @@ import one_click  # noqa: E402
 import other_parts  # noqa: E402
 import patchmill  # noqa: E402
 import quality_parts  # noqa: E402
-from patchmill.advice import apply, assessment, choice, orientation, remedies  # noqa: E402
-from patchmill.advice.found import Assessment, PatchQuality  # noqa: E402
+from patchmill.advice import apply, assessment, cells, choice, orientation, remedies  # noqa: E402
+from patchmill.advice.found import Assessment, PatchQuality, _helps  # noqa: E402
 from patchmill.freecad import host  # noqa: E402
 from patchmill.machine import machines  # noqa: E402
 from patchmill.textures import strategies  # noqa: E402
@@ -80,9 +80,9 @@ class OneClick(unittest.TestCase):
         short, good = (Assessment(100, part, {}, inside) for part in (0.6, 1.0))
         open_border = Assessment(100, 1.0, {}, inside, whole=0.9)
         self.assertEqual([found.worth for found in (short, open_border, good)], [0.6, 0.9, 1.0])
-        self.assertTrue(remedies._helps(open_border, short.worth))
-        self.assertTrue(remedies._helps(good, open_border.worth))
-        self.assertFalse(remedies._helps(open_border, good.worth))
+        self.assertTrue(_helps(open_border, short.worth))
+        self.assertTrue(_helps(good, open_border.worth))
+        self.assertFalse(_helps(open_border, good.worth))
 
     def test_an_inclined_part_keeps_its_stock_and_its_heights_are_foreseen(self):
         """The top of a part with one edge rounded is not that of the rounded face."""
@@ -144,10 +144,10 @@ class OneClick(unittest.TestCase):
         self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
         plan = patchmill.recompute(operation)
         places = plan.places()[plan.dimples.states == 0]
-        windows = assessment.squares(plan, 1000)
+        windows = cells.squares(plan, 1000)
         within = sum(((places >= low) & (places < high)).all(axis=1) for low, high in windows)
         self.assertEqual(set(within), {1})
-        self.assertEqual(len(assessment.squares(plan, 3)), 3)
+        self.assertEqual(len(cells.squares(plan, 3)), 3)
 
     def test_a_flat_plate_is_short_and_becomes_good_by_the_fix(self):
         for machine, kinds in (("linuxcnc-mill", {"incline"}), ("table-table-ac", {"incline", "lean"})):

@@ -25,6 +25,7 @@ from patchmill.freecad import host  # noqa: E402
 from patchmill.machine import machines  # noqa: E402
 from patchmill.textures.plan import place_texture  # noqa: E402
 
+V = FreeCAD.Vector
 LOCKED = {
     "strategy": "Spindle-locked", "order": "Rows", "row_direction": "Along Y", "same_flute": False,
     "extra_turns": 0.0, "margin": 0.24,
@@ -76,6 +77,64 @@ class Sides(WithTexture):
             halfway = (ups[0] + ups[1]) * (1.0, 1.0, 0.0)
             cosine = ups[0] @ halfway / np.linalg.norm(halfway)
             self.assertAlmostEqual(math.degrees(math.acos(cosine)), steepest)
+
+    def test_axes_of_faces_whose_normals_are_at_one_angle_to_them(self):
+        """Cylinders, cones, one of a spline, and prisms; not of a ball, nor of a plate and its opposite."""
+        sine = 1.0 / math.hypot(1.0, 7.0)
+        corners = [V(7.0 * math.cos(math.pi / 3 * k), 7.0 * math.sin(math.pi / 3 * k), 0.0) for k in range(7)]
+        prism = Part.Face(Part.makePolygon(corners)).extrude(V(0.0, 0.0, 7.0))
+        leaning = Part.makeCylinder(4.0, 5.0, V(), V(1.0, 0.0, 1.0))
+        up = np.array((0.0, 0.0, 1.0))
+        for shape, expected, cosine in (
+            (Part.makeCylinder(4.0, 5.0), up, 0.0),
+            (leaning, np.array((1.0, 0.0, 1.0)) / math.sqrt(2.0), 0.0),
+            (Part.makeCone(6.0, 5.0, 7.0), up, sine),
+            (Part.makeCone(5.0, 6.0, 7.0), -up, sine),
+            (Part.makeCone(6.0, 5.0, 7.0).toNurbs(), up, sine),
+            (prism, up, 0.0),
+            (Part.makeSphere(8.0), None, None),
+        ):
+            given = self.all_but_the_ends(shape, up if expected is None else expected)
+            axis, found = sides._common_axis(given)
+            if expected is None:
+                self.assertIsNone(axis)
+                continue
+            np.testing.assert_allclose(axis, expected, atol=1e-6)
+            self.assertAlmostEqual(found, cosine, places=6)
+        plate = [face.exportBrepToString() for face in Part.makeBox(9, 9, 9).Faces[:2]]
+        self.assertEqual(sides._common_axis(replace(given, breps=plate)), (None, None))
+
+    def all_but_the_ends(self, shape, axis):
+        """TextureInput of the faces of a shape that do not look along an axis."""
+        operation = self.texture(shaft(), "linuxcnc-mill")
+        texts = []
+        for face in shape.Faces:
+            u0, u1, v0, v1 = face.ParameterRange
+            if abs(np.dot(face.normalAt(0.5 * (u0 + u1), 0.5 * (v0 + v1)), axis)) < 0.99:
+                texts.append(face.exportBrepToString())
+        return replace(operation.Proxy.texture_input(operation), breps=texts)
+
+    def test_of_a_cone_each_dimple_is_milled_from_one_side(self):
+        """Narrower above or below: the next side begins where it is as steep to this one's direction."""
+        for low, high in ((5.0, 4.0), (4.0, 5.0)):
+            cone = other_parts.where(Part.makeCone(low, high, 5.0), lambda f: "Cone" in f.Surface.TypeId)
+            given, shared = self.shared(self.texture(cone, "table-table-ac"), 1)
+            placed = [place_texture(sides.asked(given, side)).dimples for side in shared]
+            cut = np.concatenate([one.lattice[one.states == core.DimpleState.CUT] for one in placed])
+            self.assertEqual(len(np.unique(cut, axis=0)), len(cut))
+            part = sides.milled_fraction([sides.asked(given, side) for side in shared])
+            self.assertGreater(part, 0.98)  # where it is rolled up again the lattice does not go on
+
+    def test_a_tool_comes_from_above_and_a_part_is_turned_over(self):
+        """Of a cone that is narrower below, whose normals look down."""
+        cone = other_parts.where(Part.makeCone(4.0, 5.0, 5.0), lambda f: "Cone" in f.Surface.TypeId)
+        given, _ = self.shared(self.texture(cone, "table-table-ac"))
+        for from_above in (True, False):
+            tried = list(sides._directions(given, from_above))
+            self.assertTrue(tried)
+            for ups, steepest in tried:
+                self.assertEqual([up[2] > 0.0 for up in ups], [from_above] * 3)
+                self.assertLess(steepest, 88.0)
 
     def test_a_part_that_may_not_be_turned_and_a_tool_that_cannot_lean(self):
         given, _ = self.shared(self.texture(shaft(), "linuxcnc-mill"))

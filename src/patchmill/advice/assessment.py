@@ -21,15 +21,14 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.advice import cells, orientation
+from patchmill.advice.cells import WINDOW
 from patchmill.advice.found import GOOD, SMALL, Assessment, PatchQuality
 from patchmill.system.stops import stoppable
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import place_texture, plan_texture
 
-WINDOW = 8  # spacings along the side of what is simulated
 MANY_TURNS = 3 * SMALL  # of the spindle, above which the whole is not simulated
 SQUARES, FEW_SQUARES = 12, 5  # of the whole, where it is not; fewer where the spindle turns often
-GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 BORDERS_COUNT = 20000  # dimples; of more, those along borders are too few to spoil the whole
 MANY = 40000  # dimples; of more, a coarser lattice is looked at
 ABOUT = 0.95  # of the most neighbours: a place in the middle
@@ -39,6 +38,8 @@ STEEP = math.radians(50.0)  # to the direction of projection, above which a reli
 FLATTEST = 0.05  # of the dimples: the flattest ones, looked at by themselves
 STEEPER = (0.5, 0.15)  # of these, the steepest ones, looked at where the flattest are bad and no others
 ALIKE = math.radians(0.5)  # tilts that differ by less are looked at once
+COARSE = 1.0 / 16.0  # of the spacing: distance of cells by which values are compared
+UNCLEAR = 0.87, 0.985  # quality by such cells, between which it is looked at as finely as otherwise
 
 
 def with_simulation(simulate):
@@ -52,8 +53,8 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     (fraction -> bool) returned False. Raises InputError where no dimple can be placed.
 
     `middle_first`: if the patch of middle tilts is not GOOD, no other is looked at, and they count as it
-    does. `whole`: a texture whose patches are good, however much is left out, is simulated as a whole as
-    well, borders included.
+    does; by coarser cells where these are clear, for many values are compared so. `whole`: a texture whose
+    patches are good, however much is left out, is simulated as a whole as well, borders included.
     `known`: the Assessment of its patches."""
     if known is not None:
         if not whole:
@@ -76,7 +77,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
         if progress and not progress(len(made) / len(parts)):
             return None
         number = middles[k]
-        made[k] = _patch(simulate, given, placed, number, float(np.degrees(tilts[number])))
+        made[k] = _patch(simulate, given, placed, number, float(np.degrees(tilts[number])), middle_first)
         made[k].fraction = len(parts[k]) / cut.sum()
         if k == first and made[k].quality < GOOD:
             break
@@ -162,22 +163,9 @@ def _whole(simulate, given):
         if count <= SMALL and turns <= MANY_TURNS:
             return cells.quality_in(simulate, plan, [None])
         often = turns / count > MANY_TURNS / SMALL
-        return cells.quality_in(simulate, plan, squares(plan, FEW_SQUARES if often else SQUARES))
+        return cells.quality_in(simulate, plan, cells.squares(plan, FEW_SQUARES if often else SQUARES))
     except InputError:
         return 0.0, 0.0
-
-
-def squares(plan, most):
-    """Up to `most` windows, WINDOW spacings wide or about so, spread over the milled dimples of a plan."""
-    places = plan.places()[plan.dimples.states == core.DimpleState.CUT]
-    spacing = plan.input.spacing
-    low, high = places.min(axis=0) - 0.5 * spacing, places.max(axis=0) + 0.5 * spacing
-    count = np.maximum(1, np.rint((high - low) / (WINDOW * spacing))).astype(int)
-    sides = (high - low) / count
-    there = np.unique(np.minimum(((places - low) / sides).astype(int), count - 1), axis=0)
-    chosen = np.argsort((GOLDEN * np.arange(len(there))) % 1.0)[:most]  # in no step that meets one side only
-    corners = low + there[chosen] * sides
-    return [(tuple(corner), tuple(corner + sides)) for corner in corners]
 
 
 def _looked_at(placed, tilts, count):
@@ -246,12 +234,13 @@ def _tilts(placed):
     return np.arccos(np.clip(cosine, -1.0, 1.0))
 
 
-def _patch(simulate, given, placed, number, tilt):
-    """PatchQuality of one patch whose middle is where dimple `number` of a PlacedTexture is."""
+def _patch(simulate, given, placed, number, tilt, coarse=False):
+    """PatchQuality of one patch whose middle is where dimple `number` of a PlacedTexture is; `coarse`: by
+    COARSE cells where these are clear."""
     looked = PatchQuality(_place(placed, number), tilt)
     asked, few = _around(given, placed, number)
     try:
-        plan, result = _patch_alone(simulate, asked, few)
+        plan, result = _patch_alone(simulate, asked, few, coarse)
     except InputError as error:
         looked.problem = str(error)
         return looked
@@ -289,9 +278,15 @@ def _seen_along(given, direction):
     return turned
 
 
-def _patch_alone(simulate, given, few):
-    """(PlannedTexture, SimulatedTexture) of one patch, or of all dimples if they are so `few`."""
+def _patch_alone(simulate, given, few, coarse=False):
+    """(PlannedTexture, SimulatedTexture) of one patch, or of all dimples if they are so `few`; `coarse`: by
+    COARSE cells where these are clear."""
     plan = plan_texture(given, slower=False)
     half = plan.input.spacing * min(0.5 * WINDOW, 0.5 * given.patch_side)
     window = None if few else ((-half, -half), (half, half))
+    if coarse:
+        step = COARSE * plan.input.spacing
+        result = simulate(plan, machine=plan.machine, window=window, step=step)
+        if not UNCLEAR[0] <= result.quality < UNCLEAR[1]:
+            return plan, result
     return plan, simulate(plan, machine=plan.machine, window=window)

@@ -5,10 +5,15 @@ is nearest to it. So a row of marks along a border spoils the cells of the outer
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import math
+
 import _patchmill as core
 import numpy as np
 
 from patchmill.advice.found import GOOD
+
+WINDOW = 8  # spacings along the side of what is simulated
+GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
 
 def good_cells(result):
@@ -42,6 +47,19 @@ def good_share(results):
         good += float(area[good_cells(result)].sum())
         total += float(area.sum())
     return good / total if total else float("nan")
+
+
+def squares(plan, most):
+    """Up to `most` windows, WINDOW spacings wide or about so, spread over the milled dimples of a plan."""
+    places = plan.places()[plan.dimples.states == core.DimpleState.CUT]
+    spacing = plan.input.spacing
+    low, high = places.min(axis=0) - 0.5 * spacing, places.max(axis=0) + 0.5 * spacing
+    count = np.maximum(1, np.rint((high - low) / (WINDOW * spacing))).astype(int)
+    sides = (high - low) / count
+    there = np.unique(np.minimum(((places - low) / sides).astype(int), count - 1), axis=0)
+    chosen = np.argsort((GOLDEN * np.arange(len(there))) % 1.0)[:most]  # in no step that meets one side only
+    corners = low + there[chosen] * sides
+    return [(tuple(corner), tuple(corner + sides)) for corner in corners]
 
 
 def quality_in(simulate, plan, windows):

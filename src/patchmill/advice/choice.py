@@ -32,6 +32,7 @@ MARGINS = (0.48, 0.85, 1.1)
 ALIKE = 0.011  # of the faces, by which choices that are good alike may differ
 LARGE, FEW = 30000, 4  # dimples; of more, and of polygons, only every so many of the speeds are tried
 TRIED, TRIED_LARGE = 6, 2  # of the fastest choices, whose borders are looked at until they are good
+NEAR = 0.85  # quality of a whole, below which its order and direction are no better at the next speeds
 POLYGONS = (strategies.CONSTANT, strategies.FITTED)
 MIN_PERIODS_OF_TOOTH = 11.0  # servo periods, in which a lock follows a tooth (docs/rows.md)
 
@@ -61,6 +62,16 @@ def candidates(given, machine, free):
                 yield dict(fields, feed=given.feed * factor) if free else fields
     if machine is not None:
         yield _fields(strategies.FEED, False, 0.0)
+
+
+def first_ways(given, free):
+    """TextureInputs with the values of the strategy that choose() tries first, one for each way to go along
+    the texture. `free`: see choose."""
+    machine = machines.load(given.machine) if given.machine else None
+    tried = list(candidates(given, machine, free))
+    first = [fields for fields in tried if fields["strategy"] == tried[0]["strategy"]]
+    ways = {_way(fields): fields for fields in first}
+    return [replace(given, **fields, **_own_margin(given)) for fields in ways.values()]
 
 
 def _fields(strategy, same_flute, extra_turns, order=rows.HELIX):
@@ -99,7 +110,7 @@ def choose(assess, given, free=False, progress=None):
     speed may be changed. A margin is chosen where none is given. None if `progress` (fraction -> bool)
     returned False. Raises InputError where no dimple can be placed whatever the strategy."""
     machine = machines.load(given.machine) if given.machine else None
-    own = {} if given.margin else {"margin": _margin(given, MARGINS[0])}
+    own = _own_margin(given)
     tried = [dict(fields, **own) for fields in candidates(given, machine, free)]
     locked = sum(1 for fields in tried if fields["strategy"] == strategies.LOCKED)
     rpms = speeds(given, machine) if free else []
@@ -162,6 +173,11 @@ def _margin(given, of_spacing):
     return round(of_spacing * spacing, 4)
 
 
+def _own_margin(given):
+    """Fields with the margin that is tried first; none where the TextureInput has the user's."""
+    return {} if given.margin else {"margin": _margin(given, MARGINS[0])}
+
+
 def _with_borders(assess, given, choice, own):
     """The Choice with the first margin with which a texture is good as a whole, else with the best of
     them; the Choice itself where its margin is the user's or it is short for other reasons."""
@@ -202,8 +218,9 @@ def _fastest(assess, given, choices, rpms, progress):
     as good as it was at its own, borders included; else of the fastest ones that whose borders are best. None
     where none can be planned whole, or `progress` returned False."""
     best = None
+    far: set[tuple] = set()  # ways to go that are not looked at again
     tried = TRIED if max(choice.assessment.dimples for choice in choices) <= SMALL else TRIED_LARGE
-    for choice in islice(_by_time(assess, given, choices, rpms, progress), tried):
+    for choice in islice(_by_time(assess, given, choices, rpms, progress, far), tried):
         if not choice.assessment.remains_good:
             return best or choice
         whole = assess(replace(given, **choice.fields), whole=True, known=choice.assessment)
@@ -211,13 +228,20 @@ def _fastest(assess, given, choices, rpms, progress):
             best = Choice(choice.fields, whole)
         if whole.borders_are_good:
             return best
+        if whole.whole < NEAR:
+            far.add(_way(choice.fields))
     return best
 
 
-def _by_time(assess, given, choices, rpms, progress):
+def _way(fields):
+    """How a texture is gone along: what a higher or lower speed leaves."""
+    return tuple(fields.get(name) for name in ("strategy", "order", "row_direction"))
+
+
+def _by_time(assess, given, choices, rpms, progress, far=frozenset()):
     """Yields Choices at their own spindle speed, and at `rpms` where they are as good, or good enough, the
-    one of least time over the whole first; no more once `progress` returned False. A higher speed takes
-    longer where it makes single steps too fast."""
+    one of least time over the whole first, none of the ways `far`, which may grow meanwhile; no more once
+    `progress` returned False. A higher speed takes longer where it makes single steps too fast."""
     timed: list[tuple] = []
     for choice in choices:
         polygons = choice.fields["strategy"] in POLYGONS
@@ -234,10 +258,10 @@ def _by_time(assess, given, choices, rpms, progress):
                 break  # what is lost at its own speed is lost at a higher one
     too_fast: dict[int, float] = {}
     for _, _, rpm, choice, fields in sorted(timed, key=lambda one: one[:2]):
+        if rpm >= too_fast.get(id(choice), math.inf) or _way(fields) in far:
+            continue
         if not rpm:
             yield choice
-            continue
-        if rpm >= too_fast.get(id(choice), math.inf):
             continue
         found = assess(replace(given, **fields), 3, middle_first=True)
         if found.good_fraction >= min(choice.assessment.good_fraction, GOOD_FRACTION) - 1e-9:

@@ -9,6 +9,7 @@ from typing import Optional
 GOOD = 0.95  # of quality: the texture as planned, to the eye and to a profilometer
 SMALL = 1500  # dimples; so many are simulated as a whole, of more a sample
 GOOD_FRACTION = 0.95  # of the faces' dimples
+MIN_GAIN = 0.02  # of the faces, that a remedy must make good besides
 NEARLY = 0.93  # of what one setup reaches: leaning otherwise hardly gains
 
 
@@ -103,3 +104,20 @@ def is_enough(found, reached):
     """Whether an Assessment leaves nothing to be wished for that one setup reaches."""
     part = reached < GOOD_FRACTION  # of faces that are reached whole nothing need be left
     return found.good or (part and found.remains_good and found.good_fraction >= NEARLY * reached)
+
+
+def is_better(found, now):
+    """Whether an Assessment helps, or leaves only what is good, beside that of the texture as it is; None
+    where that cannot be made."""
+    return _helps(found, None if now is None else now.worth) or (now is not None and leaves_good(found, now))
+
+
+def leaves_good(found, now):
+    """Whether all that is milled is good, as it is not `now`, and no less of the faces than that is."""
+    return found.remains_good and not now.remains_good and found.good_fraction > now.good_fraction - MIN_GAIN
+
+
+def _helps(found, now):
+    """Whether an Assessment is more than MIN_GAIN better than what is good `now`; beside nothing at all
+    (None) a texture helps whatever its borders."""
+    return found.good_fraction > MIN_GAIN if now is None else found.worth > now + MIN_GAIN

@@ -22,6 +22,7 @@ PER_DEGREE = 0.0005  # of the faces, that a degree of leaning must gain
 APART = 15.0  # degrees between inclinations that are both tried
 SIDEWAYS = 0.5  # cosine to Z, below which faces are looked at along their own normal
 COARSE = 0.02  # of the faces' size: how far triangles may be off a face whose normals are asked for
+ACROSS = 15  # places along each parameter of a face where its normals are asked for
 
 
 def face_normals(given):
@@ -40,6 +41,19 @@ def face_normals(given):
     if not normals:
         return np.zeros((0, 3)), np.zeros(0)
     return np.concatenate(normals), np.concatenate(areas)
+
+
+def surface_normals(given):
+    """(n, 3) outward unit normals of a TextureInput's faces at up to ACROSS² places of each, exactly."""
+    normals = []
+    for face in (face for text in given.breps for face in shape_of(text).Faces):
+        u0, u1, v0, v1 = face.ParameterRange
+        for i in range(ACROSS):
+            for j in range(ACROSS):
+                u, v = u0 + (i + 0.5) / ACROSS * (u1 - u0), v0 + (j + 0.5) / ACROSS * (v1 - v0)
+                if face.isPartOfDomain(u, v):
+                    normals.append(tuple(face.normalAt(u, v)))
+    return np.array(normals).reshape(-1, 3)
 
 
 def leanings(normals, areas=None, angles=ANGLES, flattest=BEST_TILTS[0], laid=False):

@@ -9,14 +9,15 @@ from functools import partial
 from _patchmill import InputError
 
 from patchmill.advice import orientation, room, sides
-from patchmill.advice.choice import POLYGONS
-from patchmill.advice.found import GOOD_FRACTION, Assessment, is_enough, largest_good_run
+from patchmill.advice.choice import POLYGONS, first_ways
+from patchmill.advice.found import (
+    GOOD_FRACTION, MIN_GAIN, Assessment, is_better, is_enough, largest_good_run, leaves_good,
+)  # fmt: skip
 from patchmill.machine import machines
 from patchmill.system.stops import stoppable
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import plan_texture
 
-MIN_GAIN = 0.02  # of the faces, that a remedy must make good besides
 LEAD = 20.0  # of a tool that follows the normals [degrees]
 FINER = (0.6, 0.4)  # of the spacing
 WORTH_TRYING = 0.75  # of what one setup reaches of the faces, at good tilts by their normals
@@ -81,6 +82,8 @@ class Finder:
         False. `faces`: normals, areas, and what one setup reaches; `another_ball`: the user's has another."""
         normals, areas, reached = faces
         first, last = self._tries(given, normals, areas, WORTH_TRYING * reached)
+        if reached < GOOD_FRACTION:
+            first.insert(0, lambda: self._by_sides(given))
         if another_ball:
             first.insert(0, lambda: self._chosen_for(given, "ball", {}))
         elif now is not None and now.touches:
@@ -98,9 +101,9 @@ class Finder:
                 remedy = attempt()
             except InputError:
                 continue
-            if remedy is not None and _is_better(remedy.assessment, now):
+            if remedy is not None and is_better(remedy.assessment, now):
                 found.append(remedy)
-        return found + (self._by_sides(given) if reached < GOOD_FRACTION else [])
+        return found
 
     def _in_order(self, given, found):
         """Remedies, the best first."""
@@ -194,7 +197,7 @@ class Finder:
             except InputError:
                 rest = None
             if rest is not None and (
-                rest.assessment.good_fraction > found.good_fraction or _leaves_good(rest.assessment, found)
+                rest.assessment.good_fraction > found.good_fraction or leaves_good(rest.assessment, found)
             ):
                 fields.update(rest.fields)
                 found, given = rest.assessment, replace(given, **rest.fields)
@@ -243,15 +246,15 @@ class Finder:
         return self._chosen_for(replace(given, **fields), "along", fields, angle=LEAD)
 
     def _by_sides(self, given):
-        """The Remedy by which several textures share the faces and make them good, in a list."""
+        """The Remedy by which several textures share the faces and make them good; None if none does."""
         own = {"margin": 0.0} if self.chosen and "margin" in self.chosen else {}
         asked = replace(given, **own, **self.before)
-        looking = self.assess, self.choose, room.touches
-        made, together = sides.find(*looking, asked, self.free, self.can_incline, self.model)
+        functions = self.assess, self.choose, room.touches, first_ways
+        made, together = sides.find(functions, asked, self.free, self.can_incline, self.model)
         if not made:
-            return []
+            return None
         first, fields = made[0], {**self.before, **made[0].fields}
-        return [Remedy("sides", fields, together, first.axis, first.angle, made[1:])]
+        return Remedy("sides", fields, together, first.axis, first.angle, made[1:])
 
     def _lay(self, given):
         return self._chosen_for(replace(given, **LAID), "lay", dict(LAID))
@@ -281,20 +284,3 @@ class Finder:
         asked = replace(given, **fields)
         plan_texture(asked, slower=False)
         return Remedy("leave out", fields, self.assess(asked, 3, whole=True))
-
-
-def _is_better(found, now):
-    """Whether an Assessment helps, or leaves only what is good, beside that of the texture as it is; None
-    where that cannot be made."""
-    return _helps(found, None if now is None else now.worth) or (now is not None and _leaves_good(found, now))
-
-
-def _leaves_good(found, now):
-    """Whether all that is milled is good, as it is not `now`, and no less of the faces than that is."""
-    return found.remains_good and not now.remains_good and found.good_fraction > now.good_fraction - MIN_GAIN
-
-
-def _helps(found, now):
-    """Whether an Assessment is more than MIN_GAIN better than what is good `now`; beside nothing at all
-    (None) a texture helps whatever its borders."""
-    return found.good_fraction > MIN_GAIN if now is None else found.worth > now + MIN_GAIN

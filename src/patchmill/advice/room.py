@@ -120,7 +120,7 @@ def beside_walls(given):
     """Fields of a TextureInput, a dict each, one of which may keep the tool off walls: wider margins [mm],
     the least first, each with rows as they are and across: they run in and out at their ends."""
     margins = [round(m * given.tool.radius, 4) for m in WALL_MARGINS if m * given.tool.radius > given.margin]
-    across = {rows.ALONG_X: rows.ALONG_Y, rows.ALONG_Y: rows.ALONG_X}.get(given.row_direction)
+    across = rows.ACROSS.get(given.row_direction)
     other = [{"row_direction": across}] if across and given.order == rows.ROWS else []
     ways: list[dict] = [{}, *other]
     return [dict(turned, margin=margin) for margin in margins for turned in ways]

@@ -18,6 +18,7 @@ LEAST_TIME, ALONG_X, ALONG_Y, FLATTEST = DIRECTIONS = (
     "Along Y",
     "Principal curvature",
 )
+ACROSS = {ALONG_X: ALONG_Y, ALONG_Y: ALONG_X}
 
 
 def _choose(name, value, choices):

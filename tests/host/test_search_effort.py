@@ -1,0 +1,98 @@
+"""What is not looked at while good values are searched: other speeds of a way to go that is far from good,
+fine cells where coarse ones are clear, and remedies that mill less than several sides together.
+
+SPDX-License-Identifier: LGPL-2.1-or-later
+"""
+
+import pathlib
+import sys
+import types
+import unittest
+from dataclasses import replace
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+
+import FreeCAD  # noqa: E402
+import one_click  # noqa: E402
+import other_parts  # noqa: E402
+import quality_parts  # noqa: E402
+from patchmill.advice import assessment, choice, remedies  # noqa: E402
+from patchmill.advice.found import Assessment, PatchQuality  # noqa: E402
+
+X, Y = ({"strategy": "Spindle-locked", "order": "Rows", "row_direction": "Along " + name} for name in "XY")
+GOOD = Assessment(100, 1.0, {}, [PatchQuality((0.0, 0.0, 0.0), 20.0, 1.0)])
+
+
+class SearchEffort(unittest.TestCase):
+    def given(self, part):
+        operation = one_click.texture(*part, "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        return operation.Proxy.texture_input(operation)
+
+    def whole_ones(self, of_x):
+        """[(row direction, rpm)] whose wholes are looked at, where along X they have quality `of_x`, and
+        along Y, which takes longer at every speed, 1."""
+        given, asked = self.given((quality_parts.plate(20.0), "Face6")), []
+
+        def assess(texture, *_, whole=False, **__):
+            if not whole:
+                return GOOD
+            asked.append((texture.row_direction, round(60.0 * texture.spindle.speed)))
+            return replace(GOOD, whole=of_x if texture.row_direction == X["row_direction"] else 1.0)
+
+        def seconds(texture):
+            return (1.0 if texture.row_direction == X["row_direction"] else 9.0) / texture.spindle.speed
+
+        before, choice._seconds = choice._seconds, seconds
+        self.addCleanup(setattr, choice, "_seconds", before)
+        choices = [choice.Choice(fields, GOOD) for fields in (X, Y)]
+        found = choice._fastest(assess, given, choices, [1200, 1500], bool)
+        self.assertEqual((found.fields["row_direction"], found.assessment.whole), asked[-1][:1] + (1.0,))
+        return asked
+
+    def test_of_a_way_that_is_far_from_good_one_speed_is_looked_at(self):
+        self.assertEqual(self.whole_ones(0.6), [("Along X", 1500), ("Along Y", 1500)])
+        near = [("Along X", 1500), ("Along X", 1200), ("Along X", 1000), ("Along Y", 1500)]
+        self.assertEqual(self.whole_ones(0.9), near)
+
+    def test_cells_are_fine_where_coarse_ones_are_not_clear(self):
+        """And wherever values are not compared: what the head says is by fine ones alone."""
+        given = self.given((quality_parts.plate(20.0, 8.0, 6.0), "Face6"))
+        for coarse, expected in ((1.0, 1), (0.5, 1), (0.95, 2), (0.88, 2)):
+            steps = []
+
+            def simulate(plan, machine=None, window=None, step=None):
+                steps.append(step and step / plan.input.spacing)
+                return types.SimpleNamespace(
+                    quality=0.97 if step is None else coarse, alignment={"state": ""}  # noqa: B023
+                )
+
+            found = assessment.assess(simulate, given, 3, middle_first=True)
+            self.assertEqual(steps, [assessment.COARSE, None][:expected])
+            self.assertEqual(found.quality, coarse if expected == 1 else 0.97)
+            steps.clear()
+            self.assertEqual(assessment.assess(simulate, given, 3).quality, 0.97)
+            self.assertEqual(steps, [None])
+
+    def test_sides_are_tried_before_what_mills_less(self):
+        """Of a shaft; a face that one setup reaches is not shared."""
+        for part, expected in ((other_parts.shaft(), ["sides"]), (other_parts.box_side(), [])):
+            tried = []
+
+            class Finder(remedies.Finder):
+                def _tries(self, *_):
+                    return [lambda: tried.append("incline")], []  # noqa: B023
+
+                def _by_sides(self, _):
+                    tried.append("sides")  # noqa: B023
+
+                def _assessed(self, _):
+                    return None
+
+            Finder(one_click.assess, one_click.choose).find(self.given(part))
+            self.assertEqual(tried, [*expected, "incline"])
+
+
+if __name__ == "__main__":
+    outcome = unittest.main(exit=False).result
+    sys.exit(0 if outcome.wasSuccessful() and outcome.testsRun else 1)
