@@ -20,7 +20,7 @@ import other_parts
 import patchmill
 from _patchmill import InputError
 from patchmill.advice import apply, assessment, cells, choice, companions, verdict
-from patchmill.advice.found import GOOD
+from patchmill.advice.found import GOOD, GOOD_FRACTION
 from patchmill.textures.order import rows
 from patchmill.textures.plan import plan_texture
 from patchmill.verify import best_speed
@@ -29,7 +29,7 @@ from patchmill_gui.panels import texture_head
 MACHINES = ("linuxcnc-mill", "table-table-ac")
 COLUMNS = (
     "part", "machine", "one click: head", "document", "fix", "after it: head", "document",
-    "dimples", "values", "min", "foreseen", "times the best", "in the way", "cpu s",
+    "dimples", "values", "min", "foreseen", "times the best", "in the way", "search s", "cpu s",
 )  # fmt: skip
 SHORT = {"Spindle-locked": "locked", "Constant feed, fitted stops": "fitted", "Feed per move": "feed"}
 COLOURS = {verdict.GOOD: "green", verdict.DOUBTFUL: "amber", verdict.BAD: "red"}
@@ -88,7 +88,7 @@ def worth_of(plans):
     results = [
         patchmill.simulate(plan, machine=plan.machine, window=window)
         for plan in plans
-        for window in assessment.squares(plan, SQUARES)
+        for window in cells.squares(plan, SQUARES)
     ]
     quality = np.array([result.quality for result in results])
     planned = np.array([len(result.found["dimple"]) for result in results])
@@ -127,17 +127,20 @@ def times_best(operation, start_speed):
     seconds = plan.path.statistics()["timed_seconds"]
     said = ["%.2f" % (seconds / points[0][0])]
     if seconds / points[0][0] > FAR:
-        good = next((point[0] for point in points[:LOOKED_AT] if is_good_at(given, *point[1:])), seconds)
-        said.append("%.2f" % (seconds / good))
+        least = min(GOOD_FRACTION, one_click.assess(given, 3).good_fraction) - 1e-9
+        good = (point[0] for point in points[:LOOKED_AT] if is_good_at(given, *point[1:], least))
+        said.append("%.2f" % (seconds / next(good, seconds)))
     return " / ".join(said)
 
 
-def is_good_at(given, direction, point):
-    """Whether a texture is good with rows in a direction, at a best_speed.SpeedPoint."""
+def is_good_at(given, direction, point, least):
+    """Whether a texture is good with rows in a direction, at a best_speed.SpeedPoint; where only patches say
+    it, on `least` of the faces or more."""
     asked = replace(given_at(given, point.rpm), row_direction=direction, order=point.order)
     worth = worth_of([plan_texture(asked)])
     if worth is None:  # steep: patches are seen from their own side
-        return one_click.assess(asked, 3).remains_good
+        found = one_click.assess(asked, 3)
+        return found.remains_good and found.good_fraction >= least
     return worth[0] >= 95.0 and worth[2] >= GOOD
 
 
@@ -160,13 +163,18 @@ def row(name, machine):
     yield cells
     start_speed = operation.ToolController.SpindleSpeed
     fields, before = {}, one_click.cutting(operation)
+    begin = time.process_time()
     with contextlib.suppress(InputError):  # the head says so, and the remedies are looked for
         fields = one_click.choose_for(operation).fields
+    chosen = "%.1f" % (time.process_time() - begin)
+    note(13, chosen)
     colour, sentence, minutes = head(operation)
     note(2, "%s: %s" % (colour, sentence))
     note(3, judged(operation))
     if colour != "green":
+        begin = time.process_time()
         found = one_click.remedies_of(operation, fields, before)
+        note(13, "%s, %.1f" % (chosen, time.process_time() - begin))
         note(4, " / ".join(texture_head.remedy_text(one) for one in found) or "none")
         if found:
             apply.take(operation, found[0])
