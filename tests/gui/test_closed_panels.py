@@ -13,7 +13,7 @@ from unittest import mock
 import driver
 import FreeCAD
 import FreeCADGui
-from patchmill_gui.fields import events, typing_hand
+from patchmill_gui.fields import deleted_widgets, events, typing_hand
 from patchmill_gui.forms import widgets
 from patchmill_gui.forms.machine_editor import MachineEditor
 from patchmill_gui.forms.post_dialog import PostDialog
@@ -125,15 +125,15 @@ class ClosedPanels(driver.unittest.TestCase):
                 raise RuntimeError(DELETED)
             return made[-1]
 
-        before = len(widgets._taken)
-        self.assertIs(widgets.made_alive(make), made[2])
-        self.assertEqual(len(widgets._taken), before + 2)
+        before = len(deleted_widgets._taken)
+        self.assertIs(deleted_widgets.made_alive(make), made[2])
+        self.assertEqual(len(deleted_widgets._taken), before + 2)
 
         def fail():
             raise RuntimeError("something else")
 
-        self.assertRaises(RuntimeError, widgets.made_alive, fail)
-        del widgets._taken[before:]
+        self.assertRaises(RuntimeError, deleted_widgets.made_alive, fail)
+        del deleted_widgets._taken[before:]
 
     def test_a_part_that_python_takes_for_a_deleted_widget_is_found_wherever_it_is_named(self):
         class Taken(QtGui.QSpinBox):
@@ -142,14 +142,14 @@ class ClosedPanels(driver.unittest.TestCase):
 
         form = QtGui.QWidget()
         form.part, form.other = QtGui.QLineEdit(form), QtGui.QComboBox()
-        widgets.require_alive(form)
+        deleted_widgets.require_alive(form)
         form.other = Taken()
-        self.assertRaisesRegex(RuntimeError, DELETED[-17:], widgets.require_alive, form)
+        self.assertRaisesRegex(RuntimeError, DELETED[-17:], deleted_widgets.require_alive, form)
         form.other = QtGui.QComboBox()
         part = form.part
         form.part.setParent(None)
         shiboken.delete(part)
-        self.assertRaisesRegex(RuntimeError, DELETED[-17:], widgets.require_alive, form)
+        self.assertRaisesRegex(RuntimeError, DELETED[-17:], deleted_widgets.require_alive, form)
 
     def test_a_panel_that_cannot_be_shown_is_told_of_no_selection(self):
         operation, panel = driver.begin_texture(self.part)
@@ -191,7 +191,7 @@ class ClosedPanels(driver.unittest.TestCase):
         operation, panel = driver.begin_texture(self.part)
         driver.accept(panel)
         del panel
-        before = len(widgets._taken)
+        before = len(deleted_widgets._taken)
         for made, command in (
             (SimulatePanel, "PatchMill_Simulate"),
             (CheckPanel, "PatchMill_Check"),
@@ -210,8 +210,8 @@ class ClosedPanels(driver.unittest.TestCase):
                     self.assertTrue(driver.panel_open())
                     FreeCADGui.Control.closeDialog()
                 driver.rest(0.2)
-        self.assertEqual(len(widgets._taken), before + 6)
-        del widgets._taken[before:]
+        self.assertEqual(len(deleted_widgets._taken), before + 6)
+        del deleted_widgets._taken[before:]
 
 
 @contextlib.contextmanager

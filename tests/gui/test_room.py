@@ -13,7 +13,8 @@ from patchmill.advice import remedies
 from patchmill.advice.found import Assessment, PatchQuality
 from patchmill_gui.app.core_window import CoreWindow
 from patchmill_gui.forms import machine_editor, post_dialog
-from patchmill_gui.forms.widgets import WrappingLabel, forget_closed_panels
+from patchmill_gui.fields.deleted_widgets import forget_closed_panels
+from patchmill_gui.forms.widgets import WrappingLabel
 from patchmill_gui.panels.report_panel import ReportPanel
 from PySide import QtCore, QtGui
 

@@ -13,6 +13,7 @@ from patchmill import InputError
 from patchmill.operations import copy_milling
 from patchmill.posting.proposal import Proposal
 from patchmill_gui.fields.events import kind_of
+from patchmill_gui.fields import deleted_widgets
 from patchmill_gui.forms import post_dialog, texture_summary, widgets
 from patchmill_gui.panels.texture_head import RED, Head
 from PySide import QtCore, QtGui
@@ -44,8 +45,8 @@ class OfATakenClass(QtGui.QWidget):
 
 class Living(driver.unittest.TestCase):
     def setUp(self):
-        self.before = len(widgets._taken)
-        self.addCleanup(lambda: widgets._taken.__delitem__(slice(self.before, None)))
+        self.before = len(deleted_widgets._taken)
+        self.addCleanup(lambda: deleted_widgets._taken.__delitem__(slice(self.before, None)))
 
     def makes(self, *made):
         """A function that gives these, one after the other."""
@@ -54,32 +55,32 @@ class Living(driver.unittest.TestCase):
 
     def test_the_first_that_can_be_used(self):
         whole, other = QtGui.QWidget(), QtGui.QWidget()
-        self.assertIs(widgets.living(self.makes(whole, other)), whole)
-        self.assertEqual(len(widgets._taken), self.before)
+        self.assertIs(deleted_widgets.living(self.makes(whole, other)), whole)
+        self.assertEqual(len(deleted_widgets._taken), self.before)
 
     def test_the_address_of_one_that_cannot_is_left_taken(self):
         one, two, whole = Taken(), Taken(), QtGui.QWidget()
-        self.assertIs(widgets.living(self.makes(one, two, whole)), whole)
-        self.assertEqual(widgets._taken[self.before :], [one, two])
+        self.assertIs(deleted_widgets.living(self.makes(one, two, whole)), whole)
+        self.assertEqual(deleted_widgets._taken[self.before :], [one, two])
 
     def test_one_of_another_class_is_left_taken(self):
         one, two, whole = TakenForALabel(), OfATakenClass(), QtGui.QWidget()
-        self.assertIs(widgets.living(self.makes(one, two, whole)), whole)
-        self.assertEqual(widgets._taken[self.before :], [one, two])
+        self.assertIs(deleted_widgets.living(self.makes(one, two, whole)), whole)
+        self.assertEqual(deleted_widgets._taken[self.before :], [one, two])
 
     def test_one_with_a_part_that_only_an_attribute_names(self):
         form, whole = QtGui.QWidget(), QtGui.QWidget()
         form.spacing = Taken()
-        self.assertIs(widgets.living(self.makes(form, whole)), whole)
+        self.assertIs(deleted_widgets.living(self.makes(form, whole)), whole)
 
     def test_one_with_such_a_part(self):
         outer, whole = QtGui.QWidget(), QtGui.QWidget()
         middle = QtGui.QWidget(outer)
         inner = Taken(middle)
-        self.assertIs(widgets.living(self.makes(outer, whole)), whole)
-        self.assertEqual(widgets._taken[self.before :], [outer])
+        self.assertIs(deleted_widgets.living(self.makes(outer, whole)), whole)
+        self.assertEqual(deleted_widgets._taken[self.before :], [outer])
         inner.setParent(None)
-        self.assertIs(widgets.living(self.makes(outer)), outer)
+        self.assertIs(deleted_widgets.living(self.makes(outer)), outer)
 
     def test_ends_where_none_can(self):
         made = []
@@ -88,14 +89,14 @@ class Living(driver.unittest.TestCase):
             made.append(Taken())
             return made[-1]
 
-        self.assertRaisesRegex(RuntimeError, "50 new widgets", widgets.living, make)
-        self.assertEqual(len(made), widgets.MOST_TAKEN)
+        self.assertRaisesRegex(RuntimeError, "50 new widgets", deleted_widgets.living, make)
+        self.assertEqual(len(made), deleted_widgets.MOST_TAKEN)
 
     def test_what_fails_otherwise_comes_out(self):
         def make():
             raise ZeroDivisionError
 
-        self.assertRaises(ZeroDivisionError, widgets.living, make)
+        self.assertRaises(ZeroDivisionError, deleted_widgets.living, make)
 
 
 class Kinds(driver.unittest.TestCase):

@@ -28,11 +28,11 @@ class SpeedsTried(unittest.TestCase):
         self.planned = []
         before, choice._seconds = choice._seconds, self.seconds
         self.addCleanup(setattr, choice, "_seconds", before)
-        self.holds = True
+        self.holds, self.lost = True, set()
 
     def seconds(self, asked):
         self.planned.append(round(60.0 * asked.spindle.speed))
-        return 1.0 if self.holds else None
+        return 1.0 if self.holds and self.planned[-1] not in self.lost else None
 
     def tried(self, strategy, quality):
         self.planned.clear()
@@ -46,8 +46,14 @@ class SpeedsTried(unittest.TestCase):
 
     def test_none_above_one_at_which_it_does_not(self):
         self.holds = False
-        self.assertEqual(self.tried(strategies.LOCKED, 1.0), [OWN])
         self.assertEqual(self.tried(strategies.FITTED, 1.0), [OWN])
+
+    def test_a_lock_may_hold_at_one_speed_and_not_at_a_slower_one(self):
+        self.holds = False
+        self.assertEqual(self.tried(strategies.LOCKED, 1.0), [OWN, HIGHER[0]])
+        self.lost = {OWN, HIGHER[3]}
+        self.holds = True
+        self.assertEqual(self.tried(strategies.LOCKED, 1.0), [OWN, *HIGHER])
 
     def test_few_of_good_polygons_and_none_of_bad_ones(self):
         self.assertEqual(self.tried(strategies.FITTED, 1.0), [OWN, 1400, 1800])

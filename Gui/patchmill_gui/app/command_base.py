@@ -13,7 +13,7 @@ from PySide import QtGui
 from patchmill_gui.app import tool_paths
 from patchmill_gui.fields.sentences import error_text
 from patchmill_gui.forms.resources import icon
-from patchmill_gui.forms.widgets import made_for_user
+from patchmill_gui.fields.deleted_widgets import made_for_user
 
 
 def say(text):

@@ -15,7 +15,8 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.known_sentences import translated
 from patchmill_gui.fields.sentences import error_text
-from patchmill_gui.forms.widgets import Notice, guard_editors, made_for_user, translate
+from patchmill_gui.fields.deleted_widgets import made_for_user
+from patchmill_gui.forms.widgets import Notice, guard_editors, translate
 
 PLACE = QtCore.Qt.UserRole
 VALUE = 1  # column

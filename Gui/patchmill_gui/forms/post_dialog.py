@@ -17,12 +17,12 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.fields.known_sentences import translated_error
 from patchmill_gui.fields.object_watch import ObjectWatch
+from patchmill_gui.fields.deleted_widgets import made_for_user
 from patchmill_gui.forms.widgets import (
     ERROR_COLOUR,
     GOOD_COLOUR,
     busy_cursor,
     guard_editors,
-    made_for_user,
     plain_label,
     translate,
 )

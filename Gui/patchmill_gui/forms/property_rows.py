@@ -12,7 +12,7 @@ from PySide import QtGui
 from patchmill_gui.fields import unit_text
 from patchmill_gui.fields.number_box import NumberBox
 from patchmill_gui.fields.quantity_entry import QuantityEntry
-from patchmill_gui.forms.widgets import living
+from patchmill_gui.fields.deleted_widgets import living
 
 
 PLACES = ("Origin", "MaskCentre")  # vectors that are lengths

@@ -17,13 +17,8 @@ from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.property_rows import QuantityRow
 from patchmill_gui.forms.resources import icon
 from patchmill_gui.forms.texture_summary import grouped
-from patchmill_gui.forms.widgets import (
-    button_number,
-    guard_editors,
-    let_shrink,
-    made_for_user,
-    translate,
-)
+from patchmill_gui.fields.deleted_widgets import made_for_user
+from patchmill_gui.forms.widgets import button_number, guard_editors, let_shrink, translate
 from patchmill_gui.views.dcm_colours import LOADS, load_on_path, load_text, slice_of
 from patchmill_gui.views.legend import LegendPlace
 from patchmill_gui.views.path_view import PathScene, settle_native_lines

@@ -13,14 +13,8 @@ from PySide import QtCore, QtGui
 
 from patchmill_gui.forms.property_form import PropertyForm
 from patchmill_gui.forms.resources import native
-from patchmill_gui.forms.widgets import (
-    forget_closed_panels,
-    guard_editors,
-    let_shrink,
-    made_alive,
-    require_alive,
-    translate,
-)
+from patchmill_gui.fields.deleted_widgets import forget_closed_panels, made_alive, require_alive
+from patchmill_gui.forms.widgets import guard_editors, let_shrink, translate
 from patchmill_gui.work.room import make_room_soon
 
 

@@ -10,9 +10,9 @@ from itertools import islice
 
 import _patchmill as core
 import FreeCAD
-import Part
 from _patchmill import InputError
 
+from patchmill.advice import orientation
 from patchmill.advice.found import GOOD, GOOD_FRACTION, SMALL, Assessment
 from patchmill.machine import machines
 from patchmill.system.stops import stoppable
@@ -69,8 +69,7 @@ def first_ways(given, free):
     the texture. `free`: see choose."""
     machine = machines.load(given.machine) if given.machine else None
     tried = list(candidates(given, machine, free))
-    first = [fields for fields in tried if fields["strategy"] == tried[0]["strategy"]]
-    ways = {_way(fields): fields for fields in first}
+    ways = {_way(fields): fields for fields in tried if fields["strategy"] == tried[0]["strategy"]}
     return [replace(given, **fields, **_own_margin(given)) for fields in ways.values()]
 
 
@@ -92,15 +91,12 @@ def _length(given, axis):
     """Of the box around all faces along X or Y [mm]."""
     box = FreeCAD.BoundBox()
     for text in given.breps:
-        shape = Part.Shape()
-        shape.importBrepFromString(text)
-        box.add(shape.BoundBox)
+        box.add(orientation.shape_of(text).BoundBox)
     return (box.XLength, box.YLength)[axis]
 
 
 def _stops_are_known(machine):
-    axes = machine.data["linear_axes"]
-    return machine.data["path_tolerance_mm"] == 0.0 and axes["jerk_mm_s3"] is None
+    return machine.data["path_tolerance_mm"] == 0.0 and machine.data["linear_axes"]["jerk_mm_s3"] is None
 
 
 @stoppable
@@ -169,8 +165,7 @@ def _of_locked(assess, given, choices, rpms, progress):
 
 def _margin(given, of_spacing):
     """Margin [mm] for a TextureInput."""
-    spacing = texture_size(given)["spacing"]
-    return round(of_spacing * spacing, 4)
+    return round(of_spacing * texture_size(given)["spacing"], 4)
 
 
 def _own_margin(given):
@@ -247,6 +242,7 @@ def _by_time(assess, given, choices, rpms, progress, far=frozenset()):
         polygons = choice.fields["strategy"] in POLYGONS
         few = choice.assessment.dimples > LARGE or polygons
         slow = polygons and not choice.assessment.remains_good  # to be planned, for what nobody wants
+        held = False
         for rpm in (None, *(() if slow else rpms[FEW - 1 :: FEW] if few else rpms)):
             if not progress(0.5):
                 return
@@ -254,8 +250,9 @@ def _by_time(assess, given, choices, rpms, progress, far=frozenset()):
             seconds = _seconds(replace(given, **fields))
             if seconds is not None:
                 timed.append((seconds, len(timed), rpm or 0.0, choice, fields))
-            elif rpm is None:
-                break  # what is lost at its own speed is lost at a higher one
+                held = True
+            elif not held and (polygons or rpm):
+                break  # lost at all higher ones; only a lock may hold at one speed and not at a slower one
     too_fast: dict[int, float] = {}
     for _, _, rpm, choice, fields in sorted(timed, key=lambda one: one[:2]):
         if rpm >= too_fast.get(id(choice), math.inf) or _way(fields) in far:
