@@ -12,6 +12,7 @@ import FreeCADGui
 from patchmill.advice import remedies
 from patchmill.advice.found import Assessment, PatchQuality
 from patchmill_gui.app.core_window import CoreWindow
+from patchmill_gui.fields.events import unless_deleted
 from patchmill_gui.forms import machine_editor, post_dialog
 from patchmill_gui.fields.deleted_widgets import forget_closed_panels
 from patchmill_gui.forms.widgets import WrappingLabel
@@ -24,12 +25,21 @@ SHOWN = (
 )  # fmt: skip
 NARROW = 180  # pixels
 MOST_BETWEEN = 8
+MOST_TAKEN = 5  # widgets of a dock that PySide may take for deleted ones
 OTHERS = ("PlanarTexture", "PyramidTexture", "CalibrationPatch")
 WIDEST = 400  # that a panel may ask for, of a screen of 1024
 
 
 def dock():
     return driver.task_dock()
+
+
+def seen(widgets):
+    """Those of some widgets that are visible. Of one that PySide takes for a deleted one nobody can say:
+    there may be a few."""
+    told = [(each, unless_deleted(each.isVisible, None)) for each in widgets]
+    assert sum(visible is None for _, visible in told) <= MOST_TAKEN, "too many are taken for deleted ones"
+    return [each for each, visible in told if visible]
 
 
 def across(widget, around):
@@ -43,14 +53,12 @@ def cut_off(around):
     area past its viewport, of a scroll area past the dock."""
     forget_closed_panels()  # PySide gives a new widget the Python object of a deleted one
     found, kept = [], []  # it takes a widget for deleted when the last name of its parent goes
-    for area in around.findChildren(QtGui.QScrollArea):
-        if not area.isVisible():
-            continue
+    for area in seen(around.findChildren(QtGui.QScrollArea)):
         contents, viewport = area.widget(), area.viewport()
         kept += [contents, viewport]
-        inside = [(each, viewport) for each in contents.findChildren(QtGui.QWidget)]
+        inside = [(each, viewport) for each in seen(contents.findChildren(QtGui.QWidget))]
         for each, limit in [(area, around)] + inside:
-            if each.isVisible() and (each is area or isinstance(each, SHOWN)) and not each.isWindow():
+            if (each is area or isinstance(each, SHOWN)) and not each.isWindow():
                 left, right = across(each, limit)
                 if left < 0 or right > limit.width():
                     text = each.text() if hasattr(each, "text") else ""
@@ -61,22 +69,22 @@ def cut_off(around):
 
 def scrolling_sideways(around):
     """How far what is in each scroll area of a dock is wider than it [pixels]."""
-    areas = [each for each in around.findChildren(QtGui.QScrollArea) if each.isVisible()]
+    areas = seen(around.findChildren(QtGui.QScrollArea))
     bars = [each.horizontalScrollBar().maximum() for each in areas]
     return [most for most in bars if most > 0]
 
 
 def ampersands(around):
     """Texts of labels that show an ampersand, for want of a field that its key would lead to."""
-    labels = [each for each in around.findChildren(QtGui.QLabel) if each.isVisible()]
+    labels = seen(around.findChildren(QtGui.QLabel))
     return [each.text() for each in labels if each.text().startswith("&") and each.buddy() is None]
 
 
 def too_low(around):
     """(text or name, height, what it takes) of labels and fields that are cut off at their lower side."""
     found = []
-    for each in around.findChildren(QtGui.QWidget):
-        if each.isVisible() and isinstance(each, (QtGui.QLabel, QtGui.QAbstractSpinBox, QtGui.QComboBox)):
+    for each in seen(around.findChildren(QtGui.QWidget)):
+        if isinstance(each, (QtGui.QLabel, QtGui.QAbstractSpinBox, QtGui.QComboBox)):
             label = isinstance(each, QtGui.QLabel)
             wraps = label and each.wordWrap() and each.text()
             takes = each.heightForWidth(each.width()) if wraps else each.minimumSizeHint().height()
