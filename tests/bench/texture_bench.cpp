@@ -1,10 +1,12 @@
 // A whole texture, from a face to its ToolPath: a wavy B-spline face of 100 x 100 poles, square patches in helices or
 // rows over the whole face, constant feed. Before it OpenCASCADE's intersector on the same face, as the peer: what a
-// texture would take that only projected its dimples with it. Items are dimples. Counters: the share of each stage in
-// per cent, and `peak_MiB`, the most memory that the process had up to then.
+// texture would take that only projected its dimples with it, and as the limit the path's moves written to memory on
+// two threads, with nothing but a sine and a cosine for each dimple. Items are dimples. Counters: the share of each
+// stage in per cent, `moves/s`, and `peak_MiB`, the most memory that the process had up to then.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "brep/face_sampler.h"
 #include "brep/faces.h"
+#include "patchmill/geometry/stop.h"
 #include "patchmill/patch/boundary.h"
 #include "patchmill/patch/cover.h"
 #include "patchmill/patch/patch_surface.h"
@@ -51,6 +53,29 @@ void occt_projection_alone(benchmark::State& state) {
 }
 BENCHMARK(occt_projection_alone)->Unit(benchmark::kMillisecond)->UseRealTime();
 
+// A place on a sphere for each dimple, and the two moves that end on it.
+void moves_written_alone(benchmark::State& state) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 2);
+  constexpr std::size_t kDimples = 1000000;
+  std::vector<Move> moves(2 * kDimples);
+  for (auto _ : state) {
+    parallel_for(tbb::blocked_range<std::size_t>(0, kDimples, 1024), [&](const auto& range) {
+      for (std::size_t k = range.begin(); k < range.end(); ++k) {
+        const double angle = 1e-3 * double(k);
+        const Vec3 tip(std::cos(angle), std::sin(angle), angle);
+        moves[2 * k] = {{tip, Vec3::UnitZ()}, angle, kNoDimple, MoveKind::Cut};
+        moves[2 * k + 1] = {
+            {tip, Vec3::UnitZ()}, angle, static_cast<std::int32_t>(k), MoveKind::Cut};
+      }
+    });
+    benchmark::DoNotOptimize(moves.data());
+    benchmark::ClobberMemory();
+  }
+  state.counters["moves/s"] =
+      benchmark::Counter(double(state.iterations()) * 2.0 * kDimples, benchmark::Counter::kIsRate);
+}
+BENCHMARK(moves_written_alone)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 struct Stopwatch {
   std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
   double lap() {
@@ -63,7 +88,7 @@ struct Stopwatch {
 
 // {preparing the face, projecting, limits and order, path} [s]
 std::array<double, 4> face_to_path(const TopoDS_Face& face, double size, bool rows,
-                                   std::int64_t& dimples_made) {
+                                   std::int64_t& dimples_made, std::size_t& moves_made) {
   const patch::TexturePlane plane;
   std::array<double, 4> seconds{};
   Stopwatch watch;
@@ -86,6 +111,7 @@ std::array<double, 4> face_to_path(const TopoDS_Face& face, double size, bool ro
       sync::constant_feed_path(dimples, {1.0, 2}, {1000.0 / 60.0, SpindleSense::M3},
                                {434.413 / 60.0, rule, size, size + 1.0}, Decimals(3));
   benchmark::DoNotOptimize(path.moves.data());
+  moves_made = path.moves.size();
   seconds[3] = watch.lap();
   dimples_made = patch::count_states(dimples)[0];
   return seconds;
@@ -98,14 +124,17 @@ void texture(benchmark::State& state) {
   const TopoDS_Face face = wavy_face(size, kPoles);
   std::array<double, 4> sums{};
   std::int64_t dimples = 0;
+  std::size_t moves = 0;
   for (auto _ : state) {
-    const auto seconds = face_to_path(face, size, state.range(2) != 0, dimples);
+    const auto seconds = face_to_path(face, size, state.range(2) != 0, dimples, moves);
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += seconds[i];
   }
   state.SetItemsProcessed(state.iterations() * dimples);
   const double all = sums[0] + sums[1] + sums[2] + sums[3];
   const char* names[] = {"prepare_%", "project_%", "order_%", "path_%"};
   for (std::size_t i = 0; i < sums.size(); ++i) state.counters[names[i]] = 100.0 * sums[i] / all;
+  state.counters["moves/s"] =
+      benchmark::Counter(double(state.iterations()) * double(moves), benchmark::Counter::kIsRate);
   state.counters["peak_MiB"] = peak_mib();
 }
 BENCHMARK(texture)
