@@ -35,6 +35,14 @@ def tilted_box(angle=30.0):
     return box, "Face%d" % (top + 1)
 
 
+def tilted_plate(side, angle):
+    """(shape, name of its top) of a square plate of `side` [mm], inclined by `angle` [degrees] about Y."""
+    box = Part.makeBox(side, side, 5, V(-side / 2, -side / 2, -5))
+    box.rotate(V(0, 0, 0), V(0, 1, 0), angle)
+    top = max(range(6), key=lambda k: box.Faces[k].normalAt(0, 0).z)
+    return box, "Face%d" % (top + 1)
+
+
 def saved_and_reopened(document, name):
     """(document, job) of a document that was saved as `name`, closed and opened again."""
     document.saveAs(name)
