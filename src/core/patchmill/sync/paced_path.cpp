@@ -106,14 +106,22 @@ class Builder {
     return {planned_[i].tip,      n,          along ? Vec3(level.normalized()) : any_normal_to(n),
             rows_.mean / period_, rows_.mean, 0.0};
   }
-  /// Dimple i, run over along `step`, which is step k.
+  /// Whether the tool leaves the surface before dimple i and after it, on a machine with rotary axes.
+  bool alone(std::size_t i) const {
+    const bool before = i > 0 && goes_on(i - 1), after = i < steps_.size() && goes_on(i);
+    return !rule_.phase.azimuths.empty() && !before && !after;
+  }
+  /// Dimple i, run over along `step`, which is step k; one that is alone along the tangent plane: where the surface
+  /// bends away, a chord leads below it.
   RowEnd row_end(std::size_t i, const RowStep& step, std::size_t k) const {
     const Vec3 bend = planned_[k + 1].normal - planned_[k].normal;
     const double pitch =
         step.possible ? step.pitch() : std::min(step.pitch(), rows_.mean / period_);
-    return {planned_[i].tip, planned_[i].normal,
-            step.direction,  pitch,
-            step.length,     std::max(0.0, -bend.dot(step.direction) / step.length)};
+    const Vec3& n = planned_[i].normal;
+    const Vec3 level = step.direction - step.direction.dot(n) * n;
+    const Vec3 direction = alone(i) && level.norm() > 0.1 ? level.normalized() : step.direction;
+    return {planned_[i].tip, n,           direction,
+            pitch,           step.length, std::max(0.0, -bend.dot(step.direction) / step.length)};
   }
 
   void push(Move move, std::int32_t dimple) {
