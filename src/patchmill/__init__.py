@@ -49,6 +49,7 @@ _LAZY = {
     "read_back": ("patchmill.posting", "read_back"),
     "resume": ("patchmill.posting", "resume"),
     "simulate": ("patchmill.verify.simulation", "simulate"),
+    "simulate_ball": ("patchmill.verify.simulation", "simulate_ball"),
     "simulate_round": ("patchmill.verify.simulation", "simulate_round"),
     "check": ("patchmill.verify.checks", "check"),
     "measured": ("patchmill.surface.files", "load"),

@@ -9,6 +9,7 @@ import _patchmill as core
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
 from patchmill.properties.texture_properties import PROPERTIES
 from patchmill.textures import strategies, tool_posture
+from patchmill.textures.ball import laying as balls
 from patchmill.textures.order import rows
 
 MASK = {row[1] for row in PROPERTIES if row[2] == "Mask"} - {"MaskUse"}
@@ -66,9 +67,21 @@ def _thread(obj):
     return idle | {"ProgramForm", "GaugeLength"}
 
 
+def _ball(obj):
+    """A ball's lattice is its own: no rows, shapes or directions of one that is laid in a plane."""
+    own = {"BallLattice", "BallDimples", "BallSetups"}
+    if obj.Mapping != balls.MAPPING or obj.Order == rows.THREAD:
+        return own
+    idle = {"PatchShape", "PatchSide", "PatchSideAcross", "PatchesX", "PatchesY", "HelixOrder", "HelixStart"}
+    idle |= {"Rotation", "AutoOrigin", "Origin", "AreaShare", "RidgeHeight", "MaskUse"} | MASK
+    if obj.BallDimples:
+        idle.add("Spacing")
+    return idle | ({"SteepestSlope"} if obj.BallSetups == balls.TWO else set())
+
+
 def idle_properties(obj):
     """Names of the properties of the texture operation `obj` that have no effect now."""
-    idle = _mask(obj) | _axis(obj) | _form(obj) | _thread(obj)
+    idle = _mask(obj) | _axis(obj) | _form(obj) | _thread(obj) | _ball(obj)
     if not core.two_sided(obj.PatchShape):
         idle.add("PatchSideAcross")
     if obj.AutoOrigin:

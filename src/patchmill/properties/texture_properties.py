@@ -7,6 +7,7 @@ import _patchmill as core
 import FreeCAD
 
 from patchmill.properties.axis_properties import AXIS_PROPERTIES
+from patchmill.properties.ball_properties import BALL_PROPERTIES
 from patchmill.properties.check_properties import CHECK_PROPERTIES
 from patchmill.properties.row_properties import ROW_PROPERTIES
 from patchmill.textures import strategies
@@ -57,9 +58,11 @@ PROPERTIES = [
         "App::PropertyEnumeration",
         "Mapping",
         "Texture",
-        "Projected: spacing kept as seen along the projection; on surface: kept along the faces",
-        ["Projected", "On surface"],
+        "Projected: spacing kept as seen along the projection; on surface: kept along the faces; ball: a "
+        "lattice that is a sphere's own",
+        ["Projected", "On surface", "Ball"],
     ),
+    *BALL_PROPERTIES,
     (
         "App::PropertyEnumeration",
         "PatchShape",

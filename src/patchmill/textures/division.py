@@ -132,7 +132,7 @@ def divide(given, plane, sampler, low, high, remarks, progress):
     decided for the user is appended to `remarks`."""
     covering = given.patches_x == 0 and given.patches_y == 0
     if given.mapping not in ("Projected", "On surface"):
-        raise InputError("Mapping", given.mapping, "give Projected or On surface.")
+        raise InputError("Mapping", given.mapping, "give Projected, On surface or Ball.")
     if given.mapping == "Projected":
         pattern = _fitting(given, high - low, remarks)
         if covering:

@@ -32,6 +32,9 @@ class TextureInput:
     area_share: float = 0.0
     ridge_height: float = 0.0
     mapping: str = "Projected"
+    ball_lattice: str = field(default="Icosahedral", kw_only=True)  # of mapping Ball, with the next two
+    ball_dimples: int = field(default=0, kw_only=True)  # on the whole ball; 0: by the spacing
+    ball_setups: str = field(default="One", kw_only=True)
     patch_shape: str = "Square"
     patch_side: int = 14
     patch_side_across: int = field(default=0, kw_only=True)  # of rectangles; 0: as patch_side

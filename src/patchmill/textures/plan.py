@@ -8,7 +8,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import functools
 from dataclasses import dataclass, field, replace
 from typing import Any, Callable, Optional
-from math import degrees, radians
+from math import radians
 
 import _patchmill as core
 import numpy as np
@@ -16,6 +16,7 @@ from _patchmill import InputError
 
 from patchmill.machine import machines, machining_time
 from patchmill.textures import division, free_form, heights, laid, masks, strategies, tool_posture
+from patchmill.textures.ball import laying as balls
 from patchmill.textures.division import divide, require_apart, sampler_on, texture_size
 from patchmill.textures.input import TextureInput
 from patchmill.textures.order import rows
@@ -25,7 +26,6 @@ from patchmill.system.stops import stoppable
 
 __all__ = ["PlacedTexture", "PlannedTexture", "TextureInput", "place_texture", "plan_texture"]
 
-VERTICAL = (0.0, 0.0, 1.0)
 Progress = Optional[Callable[[float], bool]]
 NEAREST = 0.9  # spacings: no dimples of a lattice laid on the surface are nearer
 
@@ -49,10 +49,11 @@ class PlacedTexture:
     patches: int = 0  # with dimples to be cut, before FirstPatch leaves some out
     free: core.FreeTexture = None  # of Matsuda's free form; then `division` are the patches' stands
     thread: Any = None  # thread.turning.Turning of a cylinder that is milled all round
+    ball: Any = None  # ball.laying.Ball of a lattice that is a sphere's own
 
     def places(self):
         """Texture-plane coordinates [mm] of each lattice point, (n, 2)."""
-        if self.free is not None or self.thread is not None:
+        if any(own is not None for own in (self.free, self.thread, self.ball)):
             return self._on_plane(self.dimples.positions)
         if self.lattice is None:
             return self.division.places(self.dimples)
@@ -61,7 +62,7 @@ class PlacedTexture:
     def outlines(self, pieces=1):
         """Each patch's outline in the texture plane [mm], a list of (k, 2), each side cut into `pieces`
         (of 8 at least on a lattice laid on the surface); NaN where the lattice or the faces end."""
-        if self.thread is not None:
+        if self.thread is not None or self.ball is not None:
             return []
         if self.free is not None:
             return [in_pieces(self._on_plane(o), pieces) for o in self.free.outlines()]
@@ -81,6 +82,8 @@ class PlacedTexture:
             return None
         if self.thread is not None:
             return threads.spread_of(self.thread, self.dimples)
+        if self.ball is not None:
+            return balls.spread_of(self.ball)
         spread = core.spacing_spread(self.dimples, self.division.pattern)
         nearest = core.nearest_distances(self.dimples)
         spread["nearest"] = nearest.min() / self.input.spacing if len(nearest) > 1 else 0.0
@@ -90,7 +93,7 @@ class PlacedTexture:
         """How many milled dimples are so near to the tool's tip that it rubs in them."""
         if self.thread is not None:
             return threads.rubbing(self)
-        tilts = core.tilts(self.dimples, VERTICAL)[self.dimples.states == core.DimpleState.CUT]
+        tilts = core.tilts(self.dimples, tool_posture.VERTICAL)[self.dimples.states == core.DimpleState.CUT]
         return int((tilts < self.size["least_tilt"]).sum())
 
 
@@ -145,8 +148,12 @@ def place_texture(given, progress=None, to_plan=False):
     wrong."""
     if threads.is_thread(given):
         return PlacedTexture(asked=given, **threads.place(given))
-    is_free = given.form == "Free"
-    fields = free_form.place(given, progress) if is_free else _place_lattice(given, progress, to_plan)
+    if balls.is_ball(given):
+        fields = balls.place(given)
+    elif given.form == "Free":
+        fields = free_form.place(given, progress)
+    else:
+        fields = _place_lattice(given, progress, to_plan)
     if fields is None:
         return None
     placed = PlacedTexture(asked=given, **fields)
@@ -155,7 +162,7 @@ def place_texture(given, progress=None, to_plan=False):
         _apply_mask(placed)
     if not tool_posture.field_ready(given, _share(progress, 0.0, 0.0)):
         return None
-    _keep_off_tip(placed)
+    tool_posture.keep_off_tip(placed)
     if placed.laid is not None:
         core.keep_apart(placed.dimples, NEAREST * placed.input.spacing)
     core.drop_slivers(placed.dimples, given.minimum_dimples)
@@ -170,7 +177,7 @@ def _put_in_order(placed: PlacedTexture, direction: Optional[int] = None) -> Non
         return
     placed.dimples = rows.ordered(placed.input, placed.dimples, placed.division, direction)
     if not tool_posture.is_vertical(placed.input):
-        _keep_off_tip(placed)  # rows have axes of their own
+        tool_posture.keep_off_tip(placed)  # rows have axes of their own
 
 
 def _place_lattice(given: TextureInput, progress: Progress, to_plan: bool = False) -> Optional[dict]:
@@ -219,30 +226,6 @@ def _apply_mask(placed):
     require_apart(given)
     mask = masks.make_mask(given.mask, placed.plane, *placed.extent)
     masks.apply_mask(given.mask, mask, placed.dimples, placed.division, placed.lattice)
-
-
-def _keep_off_tip(placed):
-    """Leaves out what the tip of the ball would rub. Raises InputError naming AvoidRubbing if it would
-    rub in all of them."""
-    given, dimples = placed.input, placed.dimples
-    least = placed.size["least_tilt"]
-    if not tool_posture.is_vertical(given):
-        limit = max(radians(given.minimum_tilt), least if given.avoid_rubbing else 0.0)
-        core.mark_tool_tip_along(dimples, tool_posture.axes(given, dimples), limit)
-        return
-    core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
-    if not given.avoid_rubbing or least <= radians(given.minimum_tilt):
-        return
-    tilts = core.tilts(dimples, VERTICAL)[dimples.states == core.DimpleState.CUT]
-    if len(tilts) and tilts.max() <= least:
-        raise InputError(
-            "AvoidRubbing",
-            "true",
-            "in dimples %.4g mm deep the tip of the ball would rub under a tilt of %.3f degrees, and "
-            "the faces have %.3f at most: incline the part or choose shallower dimples."
-            % (placed.size["depth"], degrees(least), degrees(tilts.max())),
-        )
-    core.mark_tool_tip(dimples, VERTICAL, least)
 
 
 @stoppable

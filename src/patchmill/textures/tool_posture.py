@@ -5,7 +5,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from dataclasses import dataclass
-from math import floor, radians
+from math import degrees, floor, radians
 
 import _patchmill as core
 import numpy as np
@@ -66,6 +66,30 @@ def axes(given, dimples):
         widest=radians(given.widest_tilt),
     )
     return given.keeps_phase.tool_axes(given, dimples, found)
+
+
+def keep_off_tip(placed):
+    """Leaves out of a PlacedTexture what the tip of the ball would rub. Raises InputError naming
+    AvoidRubbing if it would rub in all of them."""
+    given, dimples = placed.input, placed.dimples
+    least = placed.size["least_tilt"]
+    if not is_vertical(given):
+        limit = max(radians(given.minimum_tilt), least if given.avoid_rubbing else 0.0)
+        core.mark_tool_tip_along(dimples, axes(given, dimples), limit)
+        return
+    core.mark_tool_tip(dimples, VERTICAL, radians(given.minimum_tilt))
+    if not given.avoid_rubbing or least <= radians(given.minimum_tilt):
+        return
+    tilts = core.tilts(dimples, VERTICAL)[dimples.states == core.DimpleState.CUT]
+    if len(tilts) and tilts.max() <= least:
+        raise InputError(
+            "AvoidRubbing",
+            "true",
+            "in dimples %.4g mm deep the tip of the ball would rub under a tilt of %.3f degrees, and "
+            "the faces have %.3f at most: incline the part or choose shallower dimples."
+            % (placed.size["depth"], degrees(least), degrees(tilts.max())),
+        )
+    core.mark_tool_tip(dimples, VERTICAL, least)
 
 
 def program_form(machine, name, gauge_length, chord_clear):

@@ -20,6 +20,7 @@ import numpy as np
 from _patchmill import InputError
 
 from patchmill.operations.computed import planned
+from patchmill.textures.ball import relief as ball_relief
 from patchmill.textures.plan import PlannedTexture
 from patchmill.textures.thread import round_relief
 from patchmill.textures.thread.laying import in_view
@@ -117,6 +118,26 @@ def simulate_round(texture, sectors=12, along=None, progress=None, **options):
         if made[-1] is None:
             return None
     return round_relief.SimulatedRound(plan, made, angles)
+
+
+@stoppable
+def simulate_ball(texture, progress=None, **options):
+    """ball.relief.SimulatedBall of a texture operation, or its PlannedTexture, whose Mapping is Ball; None if
+    `progress` (share -> bool) returned False. `options`: as simulate takes them, but for window. Raises
+    InputError naming Mapping or what simulate names."""
+    plan = _plan_of(texture)
+    if plan.ball is None:
+        remedy = "only a ball is seen from all sides: use patchmill.simulate."
+        raise InputError("Mapping", plan.input.mapping, remedy)
+    looks = ball_relief.looks(-np.asarray(plan.plane.direction), np.asarray(plan.plane.x_axis))
+    made = []
+    for number, look in enumerate(looks):
+        share = progress and (lambda part, n=number: progress((n + part) / len(looks)))
+        seen, window = ball_relief.seen_along(plan, look)
+        made.append(simulate(seen, window=window, progress=share, **options))
+        if made[-1] is None:
+            return None
+    return ball_relief.SimulatedBall(plan, made, looks)
 
 
 def _marks_around(plan, motion, window, sizes, **options):

@@ -69,9 +69,9 @@ def place(given):
 
 
 def in_view(placed):
-    """The dimples of a PlacedTexture; of a thread with those of the milled ones as undercut that look away
-    from where the texture is seen from, or are steeper than SteepestSlope to there."""
-    if placed.thread is None:
+    """The dimples of a PlacedTexture; of a thread or a ball with those of the milled ones as undercut that
+    look away from where the texture is seen from, or are steeper than SteepestSlope to there."""
+    if placed.thread is None and placed.ball is None:
         return placed.dimples
     dimples, states = placed.dimples, np.array(placed.dimples.states)
     steepest = math.cos(math.radians(placed.input.steepest_slope))
