@@ -192,6 +192,18 @@ class HeightMaps(unittest.TestCase):
                 module.read(content)
             self.assertEqual(raised.exception.property, "Surface")
 
+    def test_a_pipe_or_device_is_refused_at_once(self):
+        for make in (os.mkfifo, lambda name: os.symlink("/dev/zero", name)):
+            for ending in (*GRIDS, ".stl", ".ply"):
+                with self.subTest(ending):
+                    name = self.name(ending)
+                    make(name)
+                    with self.assertRaises(InputError) as raised:
+                        files.load(name, 0.02, 0.001)
+                    self.assertEqual(raised.exception.property, "filename")
+                    self.assertIn("a device or a pipe", raised.exception.remedy)
+                    os.remove(name)
+
     def test_an_unknown_ending_is_refused(self):
         with self.assertRaises(InputError) as raised:
             files.save(self.name(".xyz"), sample())

@@ -48,14 +48,7 @@ def load(filename, step=None, each_grey=None):
     grid that a mesh is laid on; `each_grey`: height of one grey value [mm] of others' TIFFs. Raises
     InputError naming Surface, GridStep, GreyHeight, or filename if it cannot be read."""
     ending = _ending(filename, READERS)
-    try:
-        with open(filename, "rb") as file:
-            content = file.read(MOST_BYTES + 1)
-    except (OSError, ValueError) as error:
-        remedy = "it cannot be read (%s): give another file." % (getattr(error, "strerror", None) or error)
-        raise InputError("filename", repr(str(filename)), remedy) from error
-    if len(content) > MOST_BYTES:
-        raise InputError("filename", repr(str(filename)), "it has more than 4 GB: measure a smaller part.")
+    content = files.read_bytes(filename, most=MOST_BYTES)
     return READERS[ending](content, step, each_grey)
 
 

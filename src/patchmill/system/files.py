@@ -95,23 +95,32 @@ def read_text(filename, name="filename", most=1 << 30, other=None):
     """The text of a file, of at most so many bytes, without a byte order mark; what is no UTF-8 is of the
     encoding `other`, if given. Raises InputError naming `name` if it cannot be read, or is a device or a
     pipe, which might never end."""
+    content = read_bytes(filename, name, most)
+    if b"\0" in content:
+        remedy = "byte %d is zero, as in UTF-16 and in what is no text: save the file as plain text."
+        raise InputError(name, repr(name_of(filename, name)), remedy % content.index(0))
+    try:
+        return _decoded(content, other)
+    except UnicodeDecodeError as error:
+        remedy = "byte %d is no UTF-8: save the file as UTF-8." % error.start
+        raise InputError(name, repr(name_of(filename, name)), remedy) from error
+
+
+def read_bytes(filename, name="filename", most=1 << 30):
+    """What a file holds, of at most so many bytes. Raises InputError naming `name` if it cannot be read, or is
+    a device or pipe, which might never end."""
     asked = name_of(filename, name)
     try:
         with open(asked, "rb", opener=_at_once) as file:
             regular = stat.S_ISREG(os.fstat(file.fileno()).st_mode)
             content = file.read(most + 1) if regular else b""
-        if regular and len(content) <= most and b"\0" not in content:
-            return _decoded(content, other)
-        remedy = "it is a device or a pipe, not a file: give another one."
         if regular and len(content) <= most:
-            remedy = "byte %d is zero, as in UTF-16 and in what is no text: save the file as plain text."
-            remedy %= content.index(0)
-        elif regular:
+            return content
+        remedy = "it is a device or a pipe, not a file: give another one."
+        if regular:
             remedy = "it has more than %d bytes: give a smaller file." % most
     except OSError as error:
         remedy = "it cannot be read (%s): give another file." % (error.strerror or error)
-    except UnicodeDecodeError as error:
-        remedy = "byte %d is no UTF-8: save the file as UTF-8." % error.start
     except ValueError:
         remedy = "there can be no such file: give another name."
     raise InputError(name, repr(asked), remedy)
