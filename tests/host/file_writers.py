@@ -3,24 +3,29 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import contextlib
+import datetime
 import os
 import pathlib
 import tempfile
+import time
 from unittest import mock
 
-import numpy as np
 import patchmill
 from matplotlib.figure import Figure
 from milling_jobs import add_pocket, dress, make_job, pocket_part
 from patchmill import posting
 from patchmill.machine import machines
 from patchmill.modifiers import dcm_input
+from patchmill.posting import several_files
 from patchmill.reports import pictures, relief_pictures, report
-from patchmill.surface import dimple_table
+from patchmill.surface import dimple_table, sdf, x3p
 from patchmill.surface import files as surface_files
 from patchmill.surface.height_map import HeightMap
 from patchmill.voxels import removal_model
 from recipe import small_job
+
+AT = datetime.datetime(2026, 11, 22, 12, 0, 0, tzinfo=datetime.timezone.utc)
 
 
 def writers():
@@ -30,14 +35,16 @@ def writers():
     op.PatchSide = 3
     patchmill.recompute(op)
     texts, posted = _posted(job)
+    relief, endings = patchmill.simulate(op, step=0.1), (*surface_files.GRIDS, *surface_files.MESHES)
     return {
+        **{ending: ("x" + ending, _relief(relief, ending)) for ending in endings},
         "program": ("x.ngc", lambda path, version: posting.write(path, texts[version])),
         "voxels": ("x.voxels", _voxels()),
         "machine": ("own.json", _machine),
         "report": ("report.json", _report(patchmill.planned(op), posted)),
         "picture": ("x.png", _picture),
-        "table": ("x.csv", _table(patchmill.simulate(op))),
-        "height map": ("x.sdf", _height_map),
+        "table": ("x.csv", _table(relief)),
+        "files": ("x-files.csv", _several(job)),
     }
 
 
@@ -101,6 +108,37 @@ def _table(simulated):
     return write
 
 
-def _height_map(path, version):
-    heights = np.arange(600.0).reshape(20, 30) * (1.0 + version)
-    surface_files.save(path, HeightMap(heights, (0.02, 0.03), (0.0, 0.0), "faults"))
+def _relief(simulated, ending):
+    whole = simulated.height_map()
+    maps = [whole, HeightMap(whole.heights[:-1], whole.step, whole.origin, "smaller")]
+
+    def write(path, version):
+        hour = {"datetime": mock.Mock(**{"now.return_value": AT}), "timezone": datetime.timezone}
+        with contextlib.ExitStack() as stack:  # some formats hold when they were written
+            for module in (sdf, x3p):
+                stack.enter_context(mock.patch.object(module, "datetime", mock.Mock(**hour)))
+            stack.enter_context(mock.patch.object(time, "localtime", return_value=AT.timetuple()))
+            surface_files.save(path, maps[version])
+
+    return write
+
+
+def _several(job):
+    """The table of a job's programs, which are posted once here, and are files of another kind."""
+    made = []
+    with tempfile.TemporaryDirectory() as folder:
+        for patches in (0, 1):
+            made.append(several_files.post_files(job, os.path.join(folder, "x.ngc"), patches))
+
+    def write(path, version):
+        known = {
+            "_groups": lambda *_: [None],
+            "_divided": lambda *_: [None],
+            "_posted": lambda *_: made[version],
+            "_name": lambda *_: None,
+        }
+        with mock.patch.multiple(several_files, **known):
+            with mock.patch.object(several_files.posting, "write", lambda *_: None):
+                several_files.post_files(job, path.replace("-files.csv", ".ngc"))
+
+    return write
