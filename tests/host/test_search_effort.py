@@ -16,7 +16,8 @@ import FreeCAD  # noqa: E402
 import one_click  # noqa: E402
 import other_parts  # noqa: E402
 import quality_parts  # noqa: E402
-from patchmill.advice import assessment, choice, remedies  # noqa: E402
+from _patchmill import InputError  # noqa: E402
+from patchmill.advice import assessment, choice, remedies, room  # noqa: E402
 from patchmill.advice.found import Assessment, PatchQuality  # noqa: E402
 
 X, Y = ({"strategy": "Spindle-locked", "order": "Rows", "row_direction": "Along " + name} for name in "XY")
@@ -73,6 +74,22 @@ class SearchEffort(unittest.TestCase):
             steps.clear()
             self.assertEqual(assessment.assess(simulate, given, 3).quality, 0.97)
             self.assertEqual(steps, [None])
+
+    def test_a_margin_that_leaves_nothing_takes_no_narrower_one_away(self):
+        """Of the margins beside walls the first that is clear stays, though none is good."""
+        given = self.given((quality_parts.plate(20.0), "Face6"))
+
+        def touches(asked, _):
+            if asked.margin > 1.3:
+                raise InputError("Dimples", 0, "none are left.")
+            return asked.margin < 1.0
+
+        before, room.touches = room.touches, touches
+        self.addCleanup(setattr, room, "touches", before)
+        bad = [PatchQuality((0.0, 0.0, 0.0), 20.0, 0.5)]
+        finder = remedies.Finder(lambda *_, **__: replace(GOOD, patches=bad), one_click.choose)
+        made = finder._beside_walls(given, remedies.Remedy("values", {}, GOOD))
+        self.assertEqual(made.fields["margin"], 1.15)
 
     def test_sides_are_tried_before_what_mills_less(self):
         """Of a shaft; a face that one setup reaches is not shared."""

@@ -214,9 +214,12 @@ class Finder:
         first = None
         for beside in room.beside_walls(given):
             asked = replace(given, **beside)
-            if room.touches(asked, model):
-                continue
-            made = self.assess(asked, 3, whole=True)
+            try:
+                if room.touches(asked, model):
+                    continue
+                made = self.assess(asked, 3, whole=True)
+            except InputError:
+                continue  # nothing is left within so wide a margin: what a narrower one gave remains
             part = made.dimples / max(1, remedy.assessment.dimples)
             made.milled_fraction = min(made.milled_fraction, part * remedy.assessment.milled_fraction)
             walled = replace(remedy, fields={**remedy.fields, **beside}, assessment=made, walled=True)
