@@ -223,14 +223,12 @@ class ClosedFaces(unittest.TestCase):
         self.assertEqual([patch.problem for patch in found.patches], [""] * len(found.patches))
 
     def test_of_a_bore_only_good_dimples_are_left(self):
-        """Laid on it and inclined, of what one setup reaches."""
+        """By several sides."""
         operation = one_click.texture(*other_parts.bore(5.0, 5.0), "linuxcnc-mill")
         self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
         given = operation.Proxy.texture_input(operation)
-        normals, areas = orientation.face_normals(given)
         finder = remedies.Finder(one_click.assess, one_click.choose, True, model=apply.model_of(operation))
-        leaning = orientation.leanings(normals, areas, laid=True)[0]
-        found = finder._incline(given, leaning, laid=True).assessment
+        found = finder._by_sides(given).assessment
         self.assertTrue(found.remains_good)
         self.assertGreater(found.good_fraction, 0.35)
 
