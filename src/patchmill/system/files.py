@@ -107,7 +107,7 @@ def read_text(filename, name="filename", most=1 << 30, other=None):
 
 
 def read_bytes(filename, name="filename", most=1 << 30):
-    """What a file holds, of at most so many bytes. Raises InputError naming `name` if it cannot be read, or is
+    """What a file of at most so many bytes holds. Raises InputError naming `name` if it cannot be read, or is
     a device or pipe, which might never end."""
     asked = name_of(filename, name)
     try:
