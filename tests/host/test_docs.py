@@ -28,6 +28,7 @@ from recipe import STEP, small_job  # noqa: E402
 from test_axis_field import add_dressup, textured_job  # noqa: E402
 from test_copy_milling import job_with_stock  # noqa: E402
 from test_strategies import locked_job  # noqa: E402
+from test_ball import ball  # noqa: E402
 from test_thread import roller  # noqa: E402
 
 spec = importlib.util.spec_from_file_location("blocks", HERE.parent / "docs" / "blocks.py")
@@ -75,6 +76,11 @@ def texture(machine="", patches=2):
 def shaft():
     _, op = roller(6.0, 2.0)
     return {"op": op, "patchmill": patchmill}
+
+
+def golf_ball():
+    _, op = ball()
+    return {"op": op, "patchmill": patchmill, "FreeCAD": FreeCAD}
 
 
 def textured():
@@ -159,6 +165,7 @@ PAGES = {
     "five-axis": [(textured, "patchmill.recompute(op).posture is not None")],
     "matsuda-condition": [(lambda: {"patchmill": patchmill}, "p.feed > 0.0")],
     "patch-division": [(lambda: job_over(tilted([1, 4])), "op.DimpleCount > 20")],
+    "balls": [(golf_ball, "result.extra == 0 and op.Verdict.startswith('Holds')")],
     "thread": [(shaft, "result.missing == 0 and op.Verdict.startswith('Holds')")],
     "rows": [(locked, "patchmill.recompute(op).counts['cut'] > 50")],
 }
