@@ -67,7 +67,8 @@ TAKEN = [
      "limit_load acceleration, with_plunge_feed vertical, LiveSession.next seconds, "
      "solid_of_brep deflection, tessellate deflection, part_model deflection, diffuse_feed step"),
     ("a size whose results are finite; what it is used with sets the limit, by name", "huge",
-     "BallEndMill radius, Spindle speed, make_path turns, posted_feed feed, Tool.scallop_height cross_feed, "
+     "BallEndMill radius, Spindle speed, make_path turns, with_turns turns, posted_feed feed, "
+     "Tool.scallop_height cross_feed, "
      "PatchPattern spacing, keep_off_borders margin, nearest_start wanted, "
      "SurfaceLattice.counted_from flat, texture_size spacing, texture_size ball_radius, "
      "FreePatch cross_feed, FreePatch feed_per_tooth, FreePatch.size ball_radius, * clearance_height, "

@@ -45,6 +45,7 @@ TAKES_ANY = {
     ("dales", "heights"): "not known",
     ("feed_at", "points"): "air",
     ("kinds_at", "points"): "air",
+    ("with_turns", "turns"): "NaN: of a rapid",
     ("materials_at", "points"): "-1",
     ("PartModel.distances", "points"): "NaN: not known",
     ("Solid.signed_distances", "points"): "NaN: not known",

@@ -68,10 +68,11 @@ ToolPath with_turns(ToolPath path, const std::vector<double>& turns) {
     throw InputError("turns", std::to_string(turns.size()) + " numbers",
                      "give one for each of " + std::to_string(path.moves.size()) + " moves.");
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    if (path.moves[i].kind == MoveKind::Rapid) continue;
+    const bool rapid = path.moves[i].kind == MoveKind::Rapid;
+    if (rapid && std::isnan(turns[i])) continue;  // as the path itself says it
     if (!(turns[i] > 0.0) || std::isinf(turns[i]))
       throw InputError("turns", std::to_string(turns[i]), "give a number greater than zero.");
-    path.moves[i].turns = turns[i];
+    if (!rapid) path.moves[i].turns = turns[i];
   }
   return path;
 }
@@ -223,9 +224,10 @@ void bind_path(py::module_& m) {
   m.def("with_dimples", &with_dimples, py::arg("path"), py::arg("dimples"),
         "The path with the number of the dimple on which each move ends, or NO_DIMPLE. Raises "
         "InputError naming dimples.");
-  m.def("with_turns", &with_turns, py::arg("path"), py::arg("turns"),
-        "The path with other turns of the spindle on each move that is no rapid. Raises InputError "
-        "naming turns.");
+  m.def(
+      "with_turns", &with_turns, py::arg("path"), py::arg("turns"),
+      "The path with other turns of the spindle on each move that is no rapid, of which NaN may be "
+      "given. Raises InputError naming turns.");
 }
 
 }  // namespace patchmill

@@ -127,5 +127,5 @@ def with_dimples(path: ToolPath, dimples: list[int]) -> ToolPath:
     """The path with the number of the dimple on which each move ends, or NO_DIMPLE. Raises InputError naming dimples."""
     ...
 def with_turns(path: ToolPath, turns: list[float]) -> ToolPath:
-    """The path with other turns of the spindle on each move that is no rapid. Raises InputError naming turns."""
+    """The path with other turns of the spindle on each move that is no rapid, of which NaN may be given. Raises InputError naming turns."""
     ...
