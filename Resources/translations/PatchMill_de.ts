@@ -4424,6 +4424,10 @@ Spindel {:.0f}°</translation>
         <source>{} mm, more than {} million triangles</source>
         <translation>{} mm, mehr als {} Millionen Dreiecke</translation>
     </message>
+    <message>
+        <source>give 0, or choose a constant-feed strategy: a paced path takes none.</source>
+        <translation>0 angeben oder eine Strategie mit konstantem Vorschub wählen: eine getaktete Bahn braucht keine.</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

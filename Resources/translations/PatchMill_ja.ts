@@ -4424,6 +4424,10 @@ X {}  Y {}  Z {} {}
         <source>{} mm, more than {} million triangles</source>
         <translation>{} mm、三角形 {} 百万超</translation>
     </message>
+    <message>
+        <source>give 0, or choose a constant-feed strategy: a paced path takes none.</source>
+        <translation>0 を指定するか、送り一定の方式を選んでください。歩調を合わせた経路では使いません。</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

@@ -542,6 +542,7 @@ QT_TRANSLATE_NOOP("PatchMill", "give 0 or more.");
 QT_TRANSLATE_NOOP("PatchMill", "give 0 to {} decimals.");
 QT_TRANSLATE_NOOP("PatchMill", "give 0, 1 or 2 for x, y or z.");
 QT_TRANSLATE_NOOP("PatchMill", "give 0, for no limit, or more.");
+QT_TRANSLATE_NOOP("PatchMill", "give 0, or choose a constant-feed strategy: a paced path takes none.");
 QT_TRANSLATE_NOOP("PatchMill", "give 1 or more.");
 QT_TRANSLATE_NOOP("PatchMill", "give 255 at most.");
 QT_TRANSLATE_NOOP("PatchMill", "give A, B or C.");

@@ -65,6 +65,7 @@ call("make_path", tool=t.tool, spindle=t.spindle, start=(0.0, 0.0, 5.0), tips=RO
      turns=[math.nan, 1.0, 1.0])
 call("with_dimples", path=t.path, dimples=[0] * len(t.path))
 call("with_turns", path=t.path, turns=[1.0] * len(t.path))
+call("with_pacing_of", path=t.path, other=t.path)
 call("dimples_at", positions=ROWS3, normals=UP, lattice=np.eye(3)[:, :2], patches=[0, 0, 1], states=[0, 1, 2])
 call("joined", paths=[t.path, t.copy_path])
 call("freecad_text", path=t.path, feed=core.posted_feed(20.0, 3), decimals=3)

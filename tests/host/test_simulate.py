@@ -100,7 +100,11 @@ class Simulate(unittest.TestCase):
             window = ((-2, -2), (2, 2))
             ours = patchmill.simulate(self.op, window=window)
             other = patchmill.simulate(self.op, program=name, window=window)
+            on_machine = patchmill.simulate(self.op, program=name, machine="linuxcnc-mill", window=window)
+        held = patchmill.simulate(self.op, machine="linuxcnc-mill", window=window)
         self.assertAlmostEqual(other.quality, ours.quality, places=4)
+        self.assertAlmostEqual(on_machine.quality, held.quality, places=3)
+        self.assertGreater(held.quality, 0.95)
         self.assertEqual(other.data()["missing"], 0)
 
     def test_a_window_is_the_part_of_the_whole(self):

@@ -4,6 +4,7 @@
 #include "patchmill/geometry/require.h"
 #include "patchmill/path/tool_path.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace patchmill {
@@ -73,6 +74,26 @@ ToolPath with_turns(ToolPath path, const std::vector<double>& turns) {
     if (!(turns[i] > 0.0) || std::isinf(turns[i]))
       throw InputError("turns", std::to_string(turns[i]), "give a number greater than zero.");
     if (!rapid) path.moves[i].turns = turns[i];
+  }
+  return path;
+}
+
+// What keeps the time of timed moves, and the tolerances of the corners at their ends, as another path of as many has
+// them.
+ToolPath with_pacing_of(ToolPath path, const ToolPath& other) {
+  const auto is_timed = [](const Move& move) { return move.kind != MoveKind::Rapid; };
+  const auto timed = [&](const ToolPath& p) {
+    return std::count_if(p.moves.begin(), p.moves.end(), is_timed);
+  };
+  if (timed(path) != timed(other))
+    throw InputError("other", std::to_string(timed(other)) + " timed moves",
+                     "give a path of " + std::to_string(timed(path)) + ".");
+  auto from = other.moves.begin();
+  for (Move& move : path.moves) {
+    if (!is_timed(move)) continue;
+    from = std::find_if(from, other.moves.end(), is_timed);
+    move.tolerance = from->tolerance;
+    move.pace = (from++)->pace;
   }
   return path;
 }
@@ -228,6 +249,9 @@ void bind_path(py::module_& m) {
       "with_turns", &with_turns, py::arg("path"), py::arg("turns"),
       "The path with other turns of the spindle on each move that is no rapid, of which NaN may be "
       "given. Raises InputError naming turns.");
+  m.def("with_pacing_of", &with_pacing_of, py::arg("path"), py::arg("other"),
+        "The path with the pace of moves and the tolerances of corners of another one with as many "
+        "timed moves. Raises InputError naming other.");
 }
 
 }  // namespace patchmill

@@ -84,7 +84,8 @@ def find(operation, plan, told, program, after):
 def as_rounded(plan, path):
     """The ToolPath of a section that was read, a locked one with the turns that its K words amount to: at a
     rounded corner the way is shorter, and K is smaller by as much. So moves take the plan's turns, times what
-    they are told over what the planned words tell."""
+    they are told over what the planned words tell. They are led by the spindle, and their corners are as the
+    plan has them: those words are checked by themselves."""
     if plan.thread is not None or not strategies.of(plan.input.strategy).locked:
         return path
     planned = _planned_words(plan).path
@@ -92,6 +93,7 @@ def as_rounded(plan, path):
     own = plan.path.kinds != core.MoveKind.RAPID
     if not timed.sum() == told.sum() == own.sum():
         return path
+    path = core.with_pacing_of(path, plan.path)
     turns = np.array(path.turns)
     turns[timed] *= plan.path.turns[own] / planned.turns[told]
     return core.with_turns(path, turns.tolist())

@@ -147,6 +147,7 @@ from _patchmill.path import Tool as Tool
 from _patchmill.path import ToolPath as ToolPath
 from _patchmill.path import make_path as make_path
 from _patchmill.path import with_dimples as with_dimples
+from _patchmill.path import with_pacing_of as with_pacing_of
 from _patchmill.path import with_turns as with_turns
 from _patchmill.scene import Display as Display
 from _patchmill.scene import arrow_display as arrow_display

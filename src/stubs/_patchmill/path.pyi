@@ -126,6 +126,9 @@ def make_path(tool: Tool, spindle: Spindle, start: numpy.typing.ArrayLike, tips:
 def with_dimples(path: ToolPath, dimples: list[int]) -> ToolPath:
     """The path with the number of the dimple on which each move ends, or NO_DIMPLE. Raises InputError naming dimples."""
     ...
+def with_pacing_of(path: ToolPath, other: ToolPath) -> ToolPath:
+    """The path with the pace of moves and the tolerances of corners of another one with as many timed moves. Raises InputError naming other."""
+    ...
 def with_turns(path: ToolPath, turns: list[float]) -> ToolPath:
     """The path with other turns of the spindle on each move that is no rapid, of which NaN may be given. Raises InputError naming turns."""
     ...

@@ -23,8 +23,7 @@ constexpr int kRepairs = 8;  // rounds of planning and predicting
 constexpr double kLeastEase =
     0.1;  // of the time that the way between two rows needs, the least it gets
 constexpr double kAside = 0.005;  // of a step: how far beside a dimple its mark may be deepest
-// What half a step takes at least where it is parted: pieces of less than 10 ms are passed with one even acceleration
-// (planner_cycle.h), and a lock does not keep its phase on them.
+// What half a step takes at least where it is parted: a lock keeps no phase on pieces under 10 ms (planner_cycle.h).
 constexpr double kHalfSeconds = 0.012;
 constexpr double kHalfStop = 0.009;  // s: v / a, above which the model has it lose its phase there
 
@@ -34,7 +33,9 @@ void require_valid(const PacedRule& rule, std::size_t dimples, const Tool& tool,
   require_valid(rule.phase, tool.flutes);
   require_turning_tool(tool, spindle);
   require_positive("Lift", rule.lift, "mm");
-  require_in_range("ExtraTurns", rule.phase.extra_turns, 0.0, 0.0, "turns on a paced path");
+  if (rule.phase.extra_turns != 0.0)
+    throw InputError("ExtraTurns", fmt::format("{} turns", rule.phase.extra_turns),
+                     "give 0, or choose a constant-feed strategy: a paced path takes none.");
   if (!rule.turning.empty() && rule.turning.size() != dimples)
     throw InputError("ToolAxis", fmt::format("{} postures", rule.turning.size()),
                      fmt::format("plan one for each of the {} dimples.", dimples));
