@@ -115,15 +115,18 @@ def relaxed(found, steps=400, share=0.2):
     distances of neighbours, gets least: `steps` steps downhill."""
     pairs = neighbours.pairs(found)
     for _ in range(steps):
-        ways = found[pairs[:, 1]] - found[pairs[:, 0]]
-        long = np.linalg.norm(ways, axis=1, keepdims=True)
-        pull = share * (long - long.mean()) * ways / long
-        move = np.zeros_like(found)
-        np.add.at(move, pairs[:, 0], pull)
-        np.subtract.at(move, pairs[:, 1], pull)
-        found = found + move
-        found = found / np.linalg.norm(found, axis=1, keepdims=True)
+        found = _downhill(found, pairs, share)
     return found
+
+
+def _downhill(found, pairs, share):
+    """One step of relaxed()."""
+    ways = found[pairs[:, 1]] - found[pairs[:, 0]]
+    long = np.linalg.norm(ways, axis=1, keepdims=True)
+    pull = share * (long - long.mean()) * ways / long
+    pulled = [np.bincount(end, part, len(found)) for part in pull.T for end in pairs.T]
+    found = found + np.column_stack(pulled[0::2]) - np.column_stack(pulled[1::2])
+    return found / np.linalg.norm(found, axis=1, keepdims=True)
 
 
 def fibonacci(count):
