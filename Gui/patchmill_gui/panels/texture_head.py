@@ -172,7 +172,7 @@ class Head(QtGui.QFrame):
         for layout in (self.fixes, self.layout()):
             layout.invalidate()  # buttons that broke their text anew have told neither that they are higher
         height = max(self.layout().heightForWidth(width), self.layout().minimumSize().height())
-        rows_stay = self._settled and not resized and _is_at_work_in(area)
+        rows_stay = self._settled and not resized and _is_at_work_in(area, self._kept[0])
         if rows_stay:
             height = max(height, before - bar.value())  # what cannot be scrolled back stays empty
         self.setGeometry(0, 0, width, height)
@@ -183,16 +183,17 @@ class Head(QtGui.QFrame):
             _scroll_to(area, scrolled)
 
 
-def _is_at_work_in(area):
-    """Whether a field in a scroll area has the keyboard, or the pointer is over a field or button of its
-    rows. That then stays where it is on the screen, however the head's sentences come and go."""
+def _is_at_work_in(area, form):
+    """Whether a field in a scroll area has the keyboard, or the pointer is over a field, or over a button of
+    the form in it: not OK, which the head would cover. That then stays where it is on the screen, however the
+    head's sentences come and go."""
     fields = (QtGui.QLineEdit, QtGui.QAbstractSpinBox, QtGui.QComboBox)
     buttons = (QtGui.QAbstractButton, QtGui.QAbstractSlider, QtGui.QPlainTextEdit)
     app = QtGui.QApplication
     typed, pointed = app.focusWidget(), app.widgetAt(QtGui.QCursor.pos())
     at_hand = [(area, typed)] if isinstance(typed, fields) else []
     if isinstance(pointed, fields + buttons):
-        at_hand.append((area.widget(), pointed))
+        at_hand.append((area if isinstance(pointed, fields) else form, pointed))
     return any(unless_deleted(partial(around.isAncestorOf, one), False) for around, one in at_hand)
 
 
