@@ -90,7 +90,7 @@ for number, (eye, title) in enumerate(views):
     axes.set_title("Ø42.7 mm, %d dimples of Ø3.5 mm, %s" % (DIMPLES, title), fontsize=10)
     axes.set_axis_off()
 lattices = [(name, lattice.points(name, DIMPLES)) for name in lattice.LATTICES]
-lattices.append(("Projected, two sides", lattice.projected(PROJECTED)))
+lattices.append(("Projected", lattice.projected(PROJECTED)))
 for number, (name, points) in enumerate(lattices):
     pairs = neighbours.pairs(points)
     apart = RADIUS * np.linalg.norm(points[pairs[:, 1]] - points[pairs[:, 0]], axis=1)
