@@ -11,6 +11,7 @@ from _patchmill import InputError
 from patchmill.advice import apply, assessment, choice, companions, remedies, room, sides
 from patchmill.geometry.shapes import BrepTexts
 from patchmill.textures import strategies
+from patchmill.textures.ball.laying import is_ball
 from patchmill.textures.order.rows import THREAD
 from patchmill.verify.simulation import simulate
 from PySide import QtCore
@@ -100,7 +101,7 @@ class Advising(QtCore.QObject):
             given = replace(self.obj.Proxy.texture_input(self.obj), margin=0.0, **self._as_before())
         except InputError:
             return False  # planning says it
-        if given.form == "Free" or given.order == THREAD:
+        if given.form == "Free" or given.order == THREAD or is_ball(given):
             return False
         self._cutting = {"feed": given.feed, "spindle": given.spindle}
         key = replace(given, strategy="", same_flute=False, extra_turns=0.0, order="", row_direction="")

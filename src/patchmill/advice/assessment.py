@@ -67,7 +67,7 @@ def assess(simulate, given, count=5, progress=None, middle_first=False, whole=Fa
     cut = placed.dimples.states == core.DimpleState.CUT
     milled, away = _fractions(given, placed, counts)
     found = Assessment(counts["cut"], milled, counts, away_fraction=away)
-    if not cut.any() or placed.free is not None or placed.thread is not None:
+    if not cut.any() or placed.free is not None or placed.thread is not None or placed.ball is not None:
         return found
     tilts = _tilts(placed)
     parts, middles = _looked_at(placed, tilts, count)
@@ -108,7 +108,8 @@ def first_patch(simulate, given, placed, progress=None):
     """SimulatedTexture of the patch at the flattest place of a TextureInput, where most textures are worst;
     of the next one that can be made where that one cannot. `placed`: its PlacedTexture. None if there is
     none, or if `progress` returned False before one."""
-    if placed.free is not None or not (placed.dimples.states == core.DimpleState.CUT).any():
+    cut = placed.dimples.states == core.DimpleState.CUT
+    if placed.free is not None or placed.ball is not None or not cut.any():
         return None
     parts, middles = _looked_at(placed, _tilts(placed), 2)
     for k, number in enumerate(middles):

@@ -10,6 +10,7 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import functools
 import itertools
 import math
 
@@ -42,7 +43,15 @@ def points(name, count):
         below, above = (nearest_count(count, way)[0] for way in (-1, 1))
         remedy = "an icosahedral lattice has %d or %d: choose one of these, or another lattice."
         raise InputError("BallDimples", count, remedy % (below, above))
-    return relaxed(icosahedral(*found[1]))
+    return _icosahedral_relaxed(*found[1])
+
+
+@functools.lru_cache(maxsize=8)
+def _icosahedral_relaxed(h, k):
+    """Not to be changed: a panel that shows other values of the same ball asks for it again."""
+    found = relaxed(icosahedral(h, k))
+    found.setflags(write=False)
+    return found
 
 
 def count_of(radius, spacing):

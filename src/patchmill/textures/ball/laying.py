@@ -49,7 +49,7 @@ def place(given):
     whole = lattice.points(given.ball_lattice, count) @ sphere.axes
     pairs = neighbours.pairs(whole)
     spread = neighbours.spread(whole, pairs)
-    spacing = sphere.radius * spread["mean"]
+    spacing = round(sphere.radius * spread["mean"], 6)  # as a message says it
     found, size = sized(replace(given, spacing=spacing, patch_shape=SHAPE), sphere.radius, len(whole))
     said: list = []
     seen = replace(found, steepest_slope=min(found.steepest_slope, STEEPEST))
