@@ -9,6 +9,7 @@ import os
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
@@ -17,7 +18,9 @@ import _patchmill as core  # noqa: E402
 import numpy as np  # noqa: E402
 import patchmill  # noqa: E402
 from parts import V, WithDocuments, job_on  # noqa: E402
+from patchmill.advice import assessment  # noqa: E402
 from patchmill.textures.ball import lattice, laying, neighbours, order  # noqa: E402
+from patchmill.textures.plan import place_texture  # noqa: E402
 
 RADIUS, DIMPLES, DIAMETER = 21.35, 392, 3.5  # mm: a golf ball
 GOLF = {
@@ -184,6 +187,17 @@ class Balls(WithDocuments):
             marks += left.marks_of_dimples()
         self.assertTrue((milled == 1).all())
         self.assertTrue((marks == 1).all())
+
+    def test_no_single_patch_of_it_is_looked_at(self):
+        """Its lattice is one for all of it, and is made once."""
+        _, op = ball()
+        given = op.Proxy.texture_input(op)
+        self.assertEqual(assessment.assess(patchmill.simulate, given).patches, [])
+        placed = place_texture(given)
+        with mock.patch.object(assessment, "plan_texture", side_effect=AssertionError("a patch is planned")):
+            self.assertIsNone(assessment.first_patch(patchmill.simulate, given, placed))
+        name = lattice.ICOSAHEDRAL
+        self.assertIs(lattice.points(name, DIMPLES), lattice.points(name, DIMPLES))
 
     def test_both_set_ups_have_the_same_lattice(self):
         """It turns with the part: what is milled after it was turned over is what was not before."""

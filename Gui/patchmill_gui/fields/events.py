@@ -6,6 +6,8 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 
 from PySide import QtCore
 
+from patchmill_gui.fields.deleted_widgets import DELETED
+
 
 def kind_of(event):
     """Type of a QEvent; None where PySide takes it for a widget that FreeCAD deleted at its address, whose
@@ -18,6 +20,6 @@ def unless_deleted(ask, otherwise):
     try:
         return ask()
     except RuntimeError as gone:
-        if "already deleted" not in str(gone):  # PySide's words
+        if DELETED not in str(gone):
             raise
         return otherwise

@@ -23,6 +23,7 @@ from _patchmill import InputError
 from patchmill.advice import cells, orientation
 from patchmill.advice.cells import WINDOW
 from patchmill.advice.found import GOOD, SMALL, Assessment, PatchQuality
+from patchmill.geometry import shapes
 from patchmill.system.stops import stoppable
 from patchmill.textures import tool_posture
 from patchmill.textures.plan import place_texture, plan_texture
@@ -129,7 +130,7 @@ def _times_spacing(given):
     plain = given.texture_kind == "Overlapping" and not given.avoid_rubbing and given.minimum_dimples < 2
     if not plain or given.form == "Free" or given.mapping != "Projected" or not given.spacing:
         return 1.0
-    area = sum(orientation.shape_of(text).Area for text in given.breps)
+    area = sum(shapes.of_brep(text).Area for text in given.breps)
     needed = math.sqrt(area / given.spacing**2 / MANY)
     return max(1.0, min(needed, given.tool.radius / given.spacing))
 

@@ -12,8 +12,8 @@ import _patchmill as core
 import FreeCAD
 from _patchmill import InputError
 
-from patchmill.advice import orientation
 from patchmill.advice.found import GOOD, GOOD_FRACTION, SMALL, Assessment
+from patchmill.geometry import shapes
 from patchmill.machine import machines
 from patchmill.system.stops import stoppable
 from patchmill.textures import strategies
@@ -91,7 +91,7 @@ def _length(given, axis):
     """Of the box around all faces along X or Y [mm]."""
     box = FreeCAD.BoundBox()
     for text in given.breps:
-        box.add(orientation.shape_of(text).BoundBox)
+        box.add(shapes.of_brep(text).BoundBox)
     return (box.XLength, box.YLength)[axis]
 
 

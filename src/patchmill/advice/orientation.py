@@ -7,8 +7,9 @@ import math
 from dataclasses import replace
 
 import numpy as np
-import Part
 from FreeCAD import Rotation, Vector
+
+from patchmill.geometry import shapes
 
 # Of a lean [degrees]
 ANGLES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 110.0, 125.0, 140.0, 160.0)
@@ -29,7 +30,7 @@ def face_normals(given):
     """((n, 3) outward unit normals, (n,) areas [mm²]) of triangles of a TextureInput's faces."""
     normals, areas = [], []
     for text in given.breps:
-        shape = shape_of(text)
+        shape = shapes.of_brep(text)
         for face in shape.Faces:
             points, triangles = face.tessellate(COARSE * max(face.BoundBox.DiagonalLength, 1e-6))
             corners = np.array([tuple(p) for p in points])[np.array(triangles, dtype=int).reshape(-1, 3)]
@@ -46,7 +47,7 @@ def face_normals(given):
 def surface_normals(given):
     """(n, 3) outward unit normals of a TextureInput's faces at up to ACROSS² places of each, exactly."""
     normals = []
-    for face in (face for text in given.breps for face in shape_of(text).Faces):
+    for face in (face for text in given.breps for face in shapes.of_brep(text).Faces):
         u0, u1, v0, v1 = face.ParameterRange
         for i in range(ACROSS):
             for j in range(ACROSS):
@@ -139,17 +140,10 @@ def turned_texts(texts, axis, angle):
 
 
 def _turned_text(text, axis, angle):
-    shape = shape_of(text)
+    shape = shapes.of_brep(text)
     shape.rotate(Vector(0, 0, 0), Vector(*axis), angle)
     return shape.exportBrepToString()
 
 
-def shape_of(text):
-    """The Part.Shape of a BREP text."""
-    shape = Part.Shape()
-    shape.importBrepFromString(text)
-    return shape
-
-
 def _top(text):
-    return shape_of(text).BoundBox.ZMax
+    return shapes.of_brep(text).BoundBox.ZMax

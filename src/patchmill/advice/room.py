@@ -11,9 +11,9 @@ from dataclasses import replace
 
 import _patchmill as core
 
-from patchmill.advice import orientation
 from patchmill.advice.found import GOOD_FRACTION
 from patchmill.collision.clearance_check import VIOLATED, CheckInput, run_check
+from patchmill.geometry import shapes
 from patchmill.textures.order import rows
 from patchmill.textures.plan import plan_texture
 
@@ -36,7 +36,7 @@ def least_radius(given):
     they nowhere do."""
     most = 0.0
     for text in given.breps:
-        for face in orientation.shape_of(text).Faces:
+        for face in shapes.of_brep(text).Faces:
             u0, u1, v0, v1 = face.ParameterRange
             outward = -1.0 if face.Orientation == "Reversed" else 1.0  # curvatures are the surface's
             for i in range(ACROSS):
@@ -91,7 +91,7 @@ def too_narrow(given):
     area than may be bad lies on ones with less than ABREAST; else None."""
     if not given.spacing:
         return None
-    faces = [face for text in given.breps for face in orientation.shape_of(text).Faces]
+    faces = [face for text in given.breps for face in shapes.of_brep(text).Faces]
     widths = [(width(face), face.Area) for face in faces]
     narrow = [(wide, area) for wide, area in widths if wide < ABREAST * given.spacing]
     if sum(area for _, area in narrow) <= (1.0 - GOOD_FRACTION) * sum(area for _, area in widths):

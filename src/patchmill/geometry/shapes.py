@@ -14,6 +14,13 @@ MESH_TOLERANCE = 1e-3  # mm, of corners that are one
 KINDS = ("ballend", "bullnose", "chamfer", "dovetail", "drill", "endmill", "probe", "reamer", "slittingsaw")
 
 
+def of_brep(text):
+    """The Part.Shape of a BREP text."""
+    shape = Part.Shape()
+    shape.importBrepFromString(text)
+    return shape
+
+
 def drawn(obj):
     """The Part.Shape of a document object as it is drawn, or None if it has none."""
     own = getattr(obj, "Shape", None)

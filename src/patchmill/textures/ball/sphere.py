@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import Part
 from _patchmill import InputError
 from FreeCAD import Vector
+
+from patchmill.geometry import shapes
 
 NEAR = 1e-4  # mm, of centres and radii that are one
 FOURTH = 0.5 * math.pi
@@ -38,7 +39,7 @@ class Sphere:
 def sphere_of(breps):
     """The Sphere of faces, given as BREP texts. Raises InputError naming Base if they are not parts of one
     that is solid inside."""
-    faces = [face for text in breps for face in _shape(text).Faces]
+    faces = [face for text in breps for face in shapes.of_brep(text).Faces]
     first = _of_face(faces[0])
     for face in faces:
         other = _of_face(face)
@@ -47,12 +48,6 @@ def sphere_of(breps):
             raise InputError("Base", "several spheres", remedy)
         _require_outside(face, other)
     return Sphere(first.centre, first.radius, first.axes, faces)
-
-
-def _shape(text):
-    shape = Part.Shape()
-    shape.importBrepFromString(text)
-    return shape
 
 
 def _of_face(face):

@@ -7,8 +7,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import Part
 from _patchmill import InputError
+
+from patchmill.geometry import shapes
 
 NEAR = 1e-4  # mm, of axes and radii that are one
 SAME_AREA = 1e-4  # of the area that is missing or too much
@@ -33,7 +34,7 @@ class Cylinder:
 def cylinder_of(breps):
     """The Cylinder of faces, given as BREP texts. Raises InputError naming Base if they are not one that is
     closed, without holes, and solid inside."""
-    faces = [face for text in breps for face in _shape(text).Faces]
+    faces = [face for text in breps for face in shapes.of_brep(text).Faces]
     first = _axis_of(faces[0])
     low, high, area = math.inf, -math.inf, 0.0
     for face in faces:
@@ -48,12 +49,6 @@ def cylinder_of(breps):
         remedy = "a thread goes all the way round: choose all faces of a cylinder that has no holes."
         raise InputError("Base", said, remedy)
     return Cylinder(first.point, first.direction, first.radius, float(low), float(high))
-
-
-def _shape(text):
-    shape = Part.Shape()
-    shape.importBrepFromString(text)
-    return shape
 
 
 def _axis_of(face):
