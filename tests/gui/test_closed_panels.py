@@ -108,7 +108,9 @@ class ClosedPanels(driver.unittest.TestCase):
         self.assertFalse(typing_hand.is_typed_in(form))
         gone = mock.Mock(isAncestorOf=mock.Mock(side_effect=RuntimeError(DELETED)))
         with mock.patch.object(QtGui.QApplication, "focusWidget", lambda: taken):
-            self.assertFalse(texture_head._is_at_work_in(gone))
+            self.assertFalse(texture_head._is_at_work_in(gone, form))
+        with mock.patch.object(QtGui.QApplication, "widgetAt", lambda _: QtGui.QPushButton(form)):
+            self.assertFalse(texture_head._is_at_work_in(area, gone))
         hidden = mock.Mock(isVisible=mock.Mock(side_effect=RuntimeError(DELETED)))
         area.setWidget(QtGui.QWidget())
         dock.setWidget(area)
