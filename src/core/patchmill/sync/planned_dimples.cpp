@@ -6,8 +6,8 @@
 #include "patchmill/geometry/require.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
-#include <memory>
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -38,14 +38,26 @@ bool is_cut(const patch::Dimple& dimple) {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-// A batch under way, and the error that ended it, which is told in the batch's turn.
+// A batch under way, of which dimples it is, and the error that ended it, which is told in the batch's turn. Its memory
+// serves one batch after the other.
 struct Work {
+  Range range{0, 0};
   PlannedBatch batch;
   std::exception_ptr trouble;
+
+  void clear() {
+    batch.planned.clear();
+    batch.turns.clear();
+    batch.before.reset();
+    batch.corners.clear();
+    trouble = nullptr;
+  }
 };
 
-void plan(const patch::Dimples& dimples, const Range& range, const Tool& tool,
-          const Spindle& spindle, const PhaseRule& rule, const Decimals& decimals, Work& work) {
+void plan(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
+          const PhaseRule& rule, const Decimals& decimals, Work& work) {
+  work.clear();
+  const Range& range = work.range;
   work.batch.planned.reserve(range.size());
   work.batch.turns.reserve(range.size());
   std::size_t before = range.begin();
@@ -79,33 +91,34 @@ void in_batches(const patch::Dimples& dimples, const Tool& tool, const Spindle& 
                 const PhaseRule& rule, const Decimals& decimals,
                 const std::function<void(PlannedBatch&)>& prepare,
                 const std::function<void(const PlannedBatch&)>& take) {
+  // Batches end in their order and no more than kUnderWay are under way: the one that many before has ended.
+  std::array<Work, kUnderWay> works;
   std::size_t next = 0;
-  const auto ranges = [&](tbb::flow_control& flow) {
-    const Range range(next, std::min(next + kBatch, dimples.size()));
-    if (range.empty()) flow.stop();
-    next = range.end();
-    return range;
+  const auto begin = [&](tbb::flow_control& flow) {
+    Work& work = works[next / kBatch % kUnderWay];
+    work.range = Range(next, std::min(next + kBatch, dimples.size()));
+    if (work.range.empty()) flow.stop();
+    next = work.range.end();
+    return &work;
   };
-  const auto work_on = [&](const Range& range) {
-    auto work = std::make_shared<Work>();
+  const auto work_on = [&](Work* work) {
     try {
-      plan(dimples, range, tool, spindle, rule, decimals, *work);
+      plan(dimples, tool, spindle, rule, decimals, *work);
       prepare(work->batch);
     } catch (const InputError&) {
       work->trouble = std::current_exception();
     }
     return work;
   };
-  const auto hand_on = [&](const std::shared_ptr<Work>& work) {
+  const auto hand_on = [&](const Work* work) {
     if (!work->batch.planned.empty()) take(work->batch);
     if (work->trouble) std::rethrow_exception(work->trouble);
   };
   using tbb::filter_mode;
-  tbb::parallel_pipeline(
-      kUnderWay,
-      tbb::make_filter<void, Range>(filter_mode::serial_in_order, ranges) &
-          tbb::make_filter<Range, std::shared_ptr<Work>>(filter_mode::parallel, work_on) &
-          tbb::make_filter<std::shared_ptr<Work>, void>(filter_mode::serial_in_order, hand_on));
+  tbb::parallel_pipeline(kUnderWay,
+                         tbb::make_filter<void, Work*>(filter_mode::serial_in_order, begin) &
+                             tbb::make_filter<Work*, Work*>(filter_mode::parallel, work_on) &
+                             tbb::make_filter<Work*, void>(filter_mode::serial_in_order, hand_on));
 }
 
 PlannedExtent planned_extent(const patch::Dimples& dimples, double radius, const Decimals& decimals,
