@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
 
 namespace patchmill::patch {
@@ -151,13 +152,20 @@ Dimples in_rows(const Dimples& dimples, LatticeKind kind, const RowOrder& order)
                      fmt::format("give one of the lattice's {} steps.", steps.size()));
   const bool whole = order.extent == RowExtent::WholeFace;
   const std::vector<std::size_t> cut_before = cut_before_blocks(dimples);
-  std::vector<Place> places = sorted(dimples, cut_before, steps[order.direction], whole);
-  if (!order.one_way) go_to_and_fro(places);
-  if (whole) number_rows(places);
+  std::vector<Place> places;
   Dimples ordered;
-  ordered.reserve(dimples.size());
-  make_large_pages(ordered.data(), dimples.size() * sizeof(Dimple));
-  ordered.resize(dimples.size());
+  tbb::parallel_invoke(
+      [&] {
+        places = sorted(dimples, cut_before, steps[order.direction], whole);
+        if (!order.one_way) go_to_and_fro(places);
+        if (whole) number_rows(places);
+      },
+      [&] {  // one thread makes it, and takes as long as what is serial in sorting
+        ordered.reserve(dimples.size());
+        make_large_pages(ordered.data(), dimples.size() * sizeof(Dimple));
+        ordered.resize(dimples.size());
+      });
+  stop_point();
   patchmill::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), kBlock),
                           [&](const tbb::blocked_range<std::size_t>& range) {
                             for (std::size_t i = range.begin(); i < range.end(); ++i) {
