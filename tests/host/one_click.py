@@ -9,10 +9,10 @@ from functools import partial
 
 import FreeCAD
 import patchmill
-from patchmill.advice import apply, assessment, choice, companions, remedies, room, sides
+from patchmill.advice import apply, assessment, cells, choice, companions, remedies, room, sides
 from patchmill.operations import quick_setup
 
-assess = assessment.with_simulation(patchmill.simulate)
+assess = assessment.with_simulation(cells.Once(patchmill.simulate))
 choose = partial(choice.choose, assess)
 
 

@@ -1,5 +1,6 @@
 """What is not looked at while good values are searched: other speeds of a way to go that is far from good,
-fine cells where coarse ones are clear, and remedies that mill less than several sides together.
+fine cells where coarse ones are clear, plans that were simulated before, and remedies that mill less than
+several sides together.
 
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
@@ -12,13 +13,16 @@ from dataclasses import replace
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 
+import _patchmill as core  # noqa: E402
 import FreeCAD  # noqa: E402
 import one_click  # noqa: E402
 import other_parts  # noqa: E402
 import quality_parts  # noqa: E402
 from _patchmill import InputError  # noqa: E402
-from patchmill.advice import assessment, choice, remedies, room  # noqa: E402
+from patchmill.advice import assessment, cells, choice, remedies, room  # noqa: E402
 from patchmill.advice.found import Assessment, PatchQuality  # noqa: E402
+from patchmill.machine import machines  # noqa: E402
+from patchmill.textures.plan import plan_texture  # noqa: E402
 
 X, Y = ({"strategy": "Spindle-locked", "order": "Rows", "row_direction": "Along " + name} for name in "XY")
 GOOD = Assessment(100, 1.0, {}, [PatchQuality((0.0, 0.0, 0.0), 20.0, 1.0)])
@@ -74,6 +78,38 @@ class SearchEffort(unittest.TestCase):
             steps.clear()
             self.assertEqual(assessment.assess(simulate, given, 3).quality, 0.97)
             self.assertEqual(steps, [None])
+
+    def test_a_plan_that_comes_out_equal_is_simulated_once(self):
+        """Whatever margin it has; other dimples, another speed, window, step or machine are another plan."""
+        given, made = self.given((quality_parts.plate(20.0, 8.0, 6.0), "Face6")), []
+        given = replace(given, same_flute=False, extra_turns=0.0, **X)
+
+        def simulate(plan, **options):
+            made.append(plan)
+            return types.SimpleNamespace(quality=0.9, alignment={"state": "square"}, found={})
+
+        once = cells.Once(simulate)
+        faster = core.Spindle(1.5 * given.spindle.speed, given.spindle.sense)
+        tried = {"margin": 0.001}, {"margin": 1.0}, {"spindle": faster}, {"strategy": "Feed per move"}
+        plans = [plan_texture(replace(given, **fields), slower=False) for fields in ({}, *tried)]
+        machine, other = machines.load("linuxcnc-mill"), machines.load("table-table-ac")
+        looks = {"machine": machine}, {"machine": other}, {"step": 0.05}, {"window": ((0, 0), (1, 1))}
+        seen = [(plan, {}) for plan in plans] + [(plans[0], options) for options in looks]
+        for plan, options in seen:
+            result = once(plan, **options)
+            self.assertEqual((result.quality, result.alignment), (0.9, {"state": "square"}))
+        self.assertEqual(len(made), len(seen) - 1)
+        self.assertIs(once(plans[1]).plan, plans[1])
+        self.assertEqual(len(made), len(seen) - 1)
+        self.assertEqual(once.afresh(plans[1]).quality, 0.9)
+        self.assertEqual(len(made), len(seen))
+
+    def test_what_is_cancelled_is_simulated_again(self):
+        given, made = self.given((quality_parts.plate(20.0, 8.0, 6.0), "Face6")), []
+        once = cells.Once(lambda plan, **_: made.append(plan))
+        plan = plan_texture(given, slower=False)
+        self.assertEqual([once(plan), once(plan)], [None, None])
+        self.assertEqual(len(made), 2)
 
     def test_a_margin_that_leaves_nothing_takes_no_narrower_one_away(self):
         """Of the margins beside walls the first that is clear stays, though none is good."""

@@ -13,19 +13,18 @@ from patchmill.geometry.shapes import BrepTexts
 from patchmill.textures import strategies
 from patchmill.textures.ball.laying import is_ball
 from patchmill.textures.order.rows import THREAD
-from patchmill.verify.simulation import simulate
 from PySide import QtCore
 
 from patchmill_gui.fields import unit_text
 from patchmill_gui.fields.known_sentences import translated_error
 from patchmill_gui.forms.widgets import one_shot, translate
 from patchmill_gui.panels.texture_head import Head
-from patchmill_gui.views.worst_relief import assess_and_draw, first_relief
+from patchmill_gui.views.worst_relief import assess_and_draw, first_relief, once
 from patchmill_gui.work.background import Background
 
 LOOK_AFTER_MS = 40  # the dimples are to be painted first
 
-assess = assessment.with_simulation(simulate)
+assess = assessment.with_simulation(once)
 choose = partial(choice.choose, assess)
 
 

@@ -5,13 +5,16 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
 from _patchmill import InputError
-from patchmill.advice import assessment
+from patchmill.advice import assessment, cells
 from patchmill.textures.plan import place_texture
 from patchmill.verify.simulation import simulate
 
 from patchmill_gui.views.texture_scene import relief_of
 
 PATCHES = 3  # besides that of the flattest place
+
+
+once = cells.Once(simulate)  # what helps is looked for beside what the relief was drawn of
 
 
 class _Worst:
@@ -21,7 +24,7 @@ class _Worst:
         self.result = None
 
     def __call__(self, plan, **options):
-        made = simulate(plan, **options)
+        made = once.afresh(plan, **options)
         if self.result is None or made.quality < self.result.quality:
             self.result = made
         return made

@@ -9,7 +9,7 @@ import patchmill
 from _patchmill import InputError
 from FreeCAD import Placement, Rotation, Vector
 
-from patchmill.advice import assessment, choice, companions
+from patchmill.advice import assessment, cells, choice, companions
 from patchmill.freecad import host, tool_controller
 from patchmill.geometry import shapes
 from patchmill.properties.property_table import property_of
@@ -61,7 +61,7 @@ def take_for(operation):
     """Gives a texture operation the values that suit it, as a new one gets them in the GUI. Returns the
     choice.Choice; None, and nothing is changed, where the texture cannot be made whatever they are:
     patchmill.recompute says why."""
-    assess = assessment.with_simulation(patchmill.simulate)
+    assess = assessment.with_simulation(cells.Once(patchmill.simulate))
     free = controller_is_free(operation)
     try:
         found = choice.choose(assess, operation.Proxy.texture_input(operation), free)

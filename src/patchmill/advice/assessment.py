@@ -44,7 +44,7 @@ UNCLEAR = 0.87, 0.985  # quality by such cells, between which it is looked at as
 
 
 def with_simulation(simulate):
-    """assess() as a function of a TextureInput alone; `simulate` is patchmill.simulate."""
+    """assess() as a function of a TextureInput alone; `simulate` is patchmill.simulate, or a cells.Once."""
     return partial(assess, simulate)
 
 

@@ -2,10 +2,16 @@
 one spacing seen along the texture's direction; a mark that nobody planned is in the cell of the dimple that
 is nearest to it. So a row of marks along a border spoils the cells of the outermost row, and no others.
 
+Many values are tried, and some change nothing, as a margin on a closed face: Once simulates no plan twice.
+
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import hashlib
 import math
+import threading
+from collections import OrderedDict
+from types import SimpleNamespace
 
 import _patchmill as core
 import numpy as np
@@ -14,6 +20,66 @@ from patchmill.advice.found import GOOD
 
 WINDOW = 8  # spacings along the side of what is simulated
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+KEPT = 500  # simulations, each of a patch, a square or a small whole
+# Fields of a TextureInput that say which dimples are milled, and nothing of how: the dimples tell it
+PLACING = ("margin", "minimum_dimples", "minimum_tilt", "avoid_rubbing", "mask")
+PLAIN = (str, int, float, bool, tuple, list, type(None))
+
+
+class Once:
+    """patchmill.simulate of plans with their own path, each that comes out equal to one before it once. What
+    is kept has the `plan` it is asked for, `quality`, `alignment` and `found` of a SimulatedTexture, and no
+    relief. For any thread."""
+
+    def __init__(self, simulate):
+        self.simulate = simulate
+        self._kept: OrderedDict[bytes, SimpleNamespace] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def __call__(self, plan, **options):
+        key = _key(plan, options)
+        with self._lock:
+            kept = self._kept.get(key)
+            if kept is not None:
+                self._kept.move_to_end(key)
+        if kept is not None:
+            return SimpleNamespace(plan=plan, **vars(kept))
+        return self._made(key, plan, options)
+
+    def afresh(self, plan, **options):
+        """The SimulatedTexture itself, with its relief, whether or not there was one; it is kept as well."""
+        return self._made(_key(plan, options), plan, options)
+
+    def _made(self, key, plan, options):
+        made = self.simulate(plan, **options)
+        if made is not None:  # not cancelled
+            kept = SimpleNamespace(quality=made.quality, alignment=made.alignment, found=made.found)
+            with self._lock:
+                self._kept[key] = kept
+                while len(self._kept) > KEPT:
+                    self._kept.popitem(last=False)
+        return made
+
+
+def _key(plan, options):
+    """Of all that the simulation of a PlannedTexture follows from, with some `options` of simulate."""
+    given, path, machine = plan.input, plan.path, options.get("machine")
+    found = hashlib.blake2b(digest_size=16)
+    for array in (path.start, path.tips, path.axes, path.turns, path.kinds, path.dimples):
+        found.update(np.ascontiguousarray(array).tobytes())
+    for name in ("states", "positions", "normals", "lattice"):
+        found.update(np.ascontiguousarray(getattr(plan.dimples, name)).tobytes())
+    if plan.posture is not None:
+        found.update(np.ascontiguousarray(plan.posture.work.joints).tobytes())
+    plain = [(name, value) for name, value in vars(given).items() if isinstance(value, PLAIN)]
+    values = [(name, value) for name, value in plain if name not in PLACING]
+    plane = [tuple(getattr(plan.plane, name)) for name in ("origin", "x_axis", "y_axis", "direction")]
+    tool = given.tool.radius, given.tool.flutes, given.spindle.speed, given.spindle.sense
+    timed = path.statistics()["timed_seconds"]
+    others = {name: value for name, value in options.items() if name != "machine"}
+    runs = machine and getattr(machine, "data", machine)
+    found.update(repr((values, plane, tool, timed, others, runs)).encode())
+    return found.digest()
 
 
 def good_cells(result):
