@@ -56,10 +56,11 @@ def _give_way():
 
 
 class Background(QtCore.QObject):
-    """Signals, all in the GUI thread: `progressed(share, seconds left)`, `finished(result)`,
-    `failed(exception)`. A cancelled job gives none of the last two."""
+    """Signals, all in the GUI thread: `progressed(share, seconds left)`, `told(value)` of what the work gave
+    tell(), `finished(result)`, `failed(exception)`. A cancelled job gives none of the last three."""
 
     progressed = QtCore.Signal(float, float)
+    told = QtCore.Signal(object)
     finished = QtCore.Signal(object)
     failed = QtCore.Signal(object)
     _arrived = QtCore.Signal(int, str, object)
@@ -70,6 +71,7 @@ class Background(QtCore.QObject):
         self._spare = 0 if brief else 1
         self._number = 0
         self._running = 0
+        self._own = threading.local()  # the number of the job that a thread runs
         self._arrived.connect(self._deliver, QtCore.Qt.QueuedConnection)
 
     def start(self, work):
@@ -85,12 +87,17 @@ class Background(QtCore.QObject):
         self._number += 1
         self._running = 0
 
+    def tell(self, value):
+        """For the work, in its thread: `told` comes with a value."""
+        self._arrived.emit(self._own.number, "told", value)
+
     @property
     def busy(self):
         return self._running != 0
 
     def _run(self, work, number):
         _give_way()
+        self._own.number = number
         began = last = time.monotonic()
 
         def progress(share):
@@ -115,12 +122,13 @@ class Background(QtCore.QObject):
             self._arrived.emit(number, "finished", result)
 
     def _deliver(self, number, what, value):
-        if what != "progressed":
+        if what in ("finished", "failed"):
             _threads.ended(self)
         if number != self._number:
             return
         if what == "progressed":
             self.progressed.emit(*value)
             return
-        self._running = 0
+        if what != "told":
+            self._running = 0
         getattr(self, what).emit(value)
