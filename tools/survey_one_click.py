@@ -19,8 +19,8 @@ import one_click
 import other_parts
 import patchmill
 from _patchmill import InputError
-from patchmill.advice import apply, assessment, cells, choice, companions, verdict
-from patchmill.advice.found import GOOD, GOOD_FRACTION
+from patchmill.advice import apply, assessment, cells, choice, companions, room, verdict
+from patchmill.advice.found import GOOD, GOOD_FRACTION, Assessment
 from patchmill.textures.order import rows
 from patchmill.textures.plan import plan_texture
 from patchmill.verify import best_speed
@@ -33,10 +33,9 @@ COLUMNS = (
 )  # fmt: skip
 SHORT = {"Spindle-locked": "locked", "Constant feed, fitted stops": "fitted", "Feed per move": "feed"}
 COLOURS = {verdict.GOOD: "green", verdict.DOUBTFUL: "amber", verdict.BAD: "red"}
-FAR = 1.3  # times the fastest point: from there on it is asked whether that is good
+FAR = 1.3  # times a faster point: of those that are faster by more it is asked whether they are good
 SPEEDS = 3  # the highest ones that are chosen from, beside the first and the one that was chosen
 SQUARES = 24  # of a document, spread over its faces
-LOOKED_AT = 6  # of the fastest points, one of which is to be good
 
 
 def head(operation):
@@ -109,7 +108,7 @@ def values(operation):
 
 def times_best(operation, start_speed):
     """Time over that of the fastest point that holds, of both orders, both directions of rows and the highest
-    speeds; and over that of the fastest of them that is good, if that is another one."""
+    speeds; where that is FAR, also over the fastest that is good and clear, of those that are FAR faster."""
     plan = operation.Proxy.planned
     if plan is None:
         return "-"
@@ -128,16 +127,21 @@ def times_best(operation, start_speed):
     said = ["%.2f" % (seconds / points[0][0])]
     if seconds / points[0][0] > FAR:
         least = min(GOOD_FRACTION, one_click.assess(given, 3).good_fraction) - 1e-9
-        good = (point[0] for point in points[:LOOKED_AT] if is_good_at(given, *point[1:], least))
-        said.append("%.2f" % (seconds / next(good, seconds)))
+        model = apply.model_of(operation)
+        faster = (point for point in points if seconds / point[0] > FAR)
+        good = next((point[0] for point in faster if is_good_at(given, model, *point[1:], least)), None)
+        said.append("%.2f" % (seconds / good) if good else "none of them good")
     return " / ".join(said)
 
 
-def is_good_at(given, direction, point, least):
-    """Whether a texture is good with rows in a direction, at a best_speed.SpeedPoint; where only patches say
-    it, on `least` of the faces or more."""
+def is_good_at(given, model, direction, point, least):
+    """Whether a texture is good and clear of a `model` with rows in a direction, at a best_speed.SpeedPoint;
+    where only patches say it, on `least` of the faces or more."""
     asked = replace(given_at(given, point.rpm), row_direction=direction, order=point.order)
-    worth = worth_of([plan_texture(asked)])
+    plan = plan_texture(asked)
+    if room.held_against(Assessment(0, 0.0, {}), plan, model).touches:
+        return False
+    worth = worth_of([plan])
     if worth is None:  # steep: patches are seen from their own side
         found = one_click.assess(asked, 3)
         return found.remains_good and found.good_fraction >= least
