@@ -3,6 +3,8 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+from unittest import mock
+
 import driver
 import FreeCAD
 import FreeCADGui
@@ -83,6 +85,20 @@ class OneClick(driver.unittest.TestCase):
         self.settled(texture_head.GREEN)
         driver.accept(self.panel)
         self.assertGreater(self.operation.DimpleCount, 500)
+
+    def test_no_values_are_looked_for_on_a_ball_whose_lattice_is_its_own(self):
+        """Each trial would relax it anew; they are looked for again when it is no longer asked for."""
+        self.begin(Part.makeSphere(4.0, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 0.0, 90.0))
+        mapping = self.panel.page.properties.rows["Mapping"].editor
+        choosing = self.panel.advising.choosing
+        with mock.patch.object(choosing, "start", wraps=choosing.start) as looked_for:
+            mapping.setCurrentIndex(mapping.findData("Ball"))
+            self.assertTrue(driver.ready(self.panel))
+            self.assertIsNone(self.panel.error)
+            self.assertIsNotNone(self.panel.ready.planned.ball)
+            looked_for.assert_not_called()
+            mapping.setCurrentIndex(mapping.findData("On surface"))
+            self.assertTrue(driver.wait(lambda: looked_for.called, 60))
 
     def test_the_head_says_what_looks_away_and_offers_to_lay_the_dimples_along_the_faces(self):
         head, taken = texture_head.Head(), []
