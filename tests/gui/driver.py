@@ -167,11 +167,13 @@ def ready(panel):
     return wait(lambda: panel.ready_now() or panel.error is not None, 240)
 
 
-def run_tests(*cases):
-    """Runs TestCase classes; the exit status."""
+def run_tests(*cases, words=()):
+    """Runs TestCase classes, or only their tests whose names have one of `words`; the exit status."""
+    loader = unittest.TestLoader()
+    loader.testNamePatterns = ["*%s*" % word for word in words] or None
     suite = unittest.TestSuite()
     for case in cases:
-        suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
+        suite.addTests(loader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=2).run(suite)
     return 0 if result.wasSuccessful() and result.testsRun else 1
 

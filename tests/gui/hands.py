@@ -125,16 +125,21 @@ def show(widget):
     driver.rest(SETTLE)
 
 
-def choose(box, text):
-    """Opens a combo box by a click, and clicks on the entry that reads `text`; clicks again where rows that
-    came or went meanwhile took the box from under the pointer."""
+def open_list(box):
+    """Opens the list of a combo box by a click, and returns its view; clicks again where rows that came or
+    went meanwhile took the box from under the pointer."""
     view = box.view()
     for _ in range(3):
         show(box)
         click(box)
         if driver.wait(view.isVisible, 3):
-            break
-    assert view.isVisible(), "the list does not open"
+            return view
+    raise AssertionError("the list of %s does not open" % (box.objectName() or box))
+
+
+def choose(box, text):
+    """Opens a combo box by a click, and clicks on the entry that reads `text`."""
+    view = open_list(box)
     row = box.findText(text)
     assert row >= 0, "no %r among %s" % (text, [box.itemText(i) for i in range(box.count())])
     driver.rest(0.3)  # a list that has just opened takes no click
