@@ -7,6 +7,7 @@ SPDX-License-Identifier: LGPL-2.1-or-later
 import subprocess
 
 import driver
+from patchmill_gui.fields.events import around
 from PySide import QtCore, QtGui
 
 SETTLE = 0.05  # seconds that a hand takes between two actions
@@ -107,21 +108,15 @@ def enter(field, text, end="Return", pause=40):
 
 
 def show(widget):
-    """Scrolls until a widget is seen, in all areas around it from within. They are not found by parentWidget:
-    what that gave would have to be kept, and be taken for new widgets once it is deleted."""
+    """Scrolls until a widget is seen, in all areas around it from within."""
     driver.rest(SETTLE)
-    tops = QtGui.QApplication.topLevelWidgets()
-    areas = [area for top in tops for area in top.findChildren(QtGui.QScrollArea)]
-    around = [area for area in areas if area.isAncestorOf(widget)]
-    around.sort(key=lambda area: sum(other.isAncestorOf(area) for other in around), reverse=True)
-    for area in around:
+    for area in reversed(around(widget, QtGui.QScrollArea)):
         area.ensureWidgetVisible(widget)
         driver.rest(SETTLE)
-    for view in (view for top in tops for view in top.findChildren(QtGui.QTreeView)):
-        if view.isAncestorOf(widget):  # as the editor of an item
-            place = widget.mapTo(view.viewport(), widget.rect().center())
-            view.scrollTo(view.indexAt(place), QtGui.QAbstractItemView.PositionAtCenter)
-            driver.rest(SETTLE)
+    for view in around(widget, QtGui.QTreeView):  # as the editor of an item
+        place = widget.mapTo(view.viewport(), widget.rect().center())
+        view.scrollTo(view.indexAt(place), QtGui.QAbstractItemView.PositionAtCenter)
+        driver.rest(SETTLE)
     driver.rest(SETTLE)
 
 

@@ -70,6 +70,17 @@ class ClosedPanels(driver.unittest.TestCase):
         del panel
         self.assertNothingLeft()
 
+    def test_what_lasts_holds_no_widget_of_a_closed_panel(self):
+        """PySide would keep what is found below docks and FreeCAD's task panel, with these as parents."""
+        _, panel = driver.begin_texture(self.part)
+        driver.rest(1.0)  # room was made for it
+        panel.reject()
+        del panel
+        self.assertNothingLeft()
+        known = [one for one in gc.get_objects() if issubclass(type(one), QtGui.QWidget)]
+        deleted = [shiboken.dump(one) for one in known if not shiboken.isValid(one)]
+        self.assertEqual([each for each in deleted if "parent." in each], [])
+
     def test_of_a_texture_undone_while_it_computes(self):
         _, panel = driver.begin_texture(self.part)
         panel.accept()
@@ -114,7 +125,7 @@ class ClosedPanels(driver.unittest.TestCase):
         hidden = mock.Mock(isVisible=mock.Mock(side_effect=RuntimeError(DELETED)))
         area.setWidget(QtGui.QWidget())
         dock.setWidget(area)
-        with mock.patch.object(area, "findChildren", lambda _: [hidden]):
+        with mock.patch.object(room, "below", lambda *_: [hidden]):
             self.assertGreater(room.needed_width(dock, area), 0)
         self.assertRaises(RuntimeError, events.unless_deleted, mock.Mock(side_effect=RuntimeError("else")), 0)
 

@@ -12,8 +12,7 @@ import FreeCADGui
 from patchmill import InputError
 from patchmill.operations import copy_milling
 from patchmill.posting.proposal import Proposal
-from patchmill_gui.fields.events import kind_of
-from patchmill_gui.fields import deleted_widgets
+from patchmill_gui.fields import deleted_widgets, events
 from patchmill_gui.forms import post_dialog, texture_summary, widgets
 from patchmill_gui.panels.texture_head import RED, Head
 from PySide import QtCore, QtGui
@@ -107,11 +106,11 @@ class Kinds(driver.unittest.TestCase):
             QtGui.QFocusEvent(QtCore.QEvent.FocusIn),
             QtCore.QEvent(QtCore.QEvent.FocusOut),
         ):
-            self.assertEqual(kind_of(event), event.type())
+            self.assertEqual(events.kind_of(event), event.type())
 
     def test_of_what_is_no_event(self):
         for thing in (QtGui.QWidget(), QtCore.QObject(), None):
-            self.assertIsNone(kind_of(thing))
+            self.assertIsNone(events.kind_of(thing))
 
     def test_filters_let_it_pass(self):
         guarded, taken = QtGui.QSpinBox(), QtGui.QWidget()
@@ -119,6 +118,22 @@ class Kinds(driver.unittest.TestCase):
         (guard,) = guarded.findChildren(widgets._EditorGuard)
         for one in (guard, Head()):
             self.assertFalse(one.eventFilter(guarded, taken))
+
+
+class Found(driver.unittest.TestCase):
+    def test_what_is_in_a_widget_and_around_it(self):
+        outer, inner, box = QtGui.QScrollArea(), QtGui.QScrollArea(), QtGui.QSpinBox()
+        self.addCleanup(outer.deleteLater)
+        outer.setWidget(inner)
+        inner.setWidget(box)
+        self.assertEqual(events.around(box, QtGui.QScrollArea), [outer, inner])
+        self.assertEqual(events.below(outer, (QtGui.QSpinBox, QtGui.QDial)), [box])
+        self.assertEqual(events.below(box, QtGui.QSpinBox) + events.around(outer, QtGui.QScrollArea), [])
+
+    def test_what_is_taken_for_a_deleted_one_is_in_nothing(self):
+        holder = mock.Mock(isAncestorOf=mock.Mock(side_effect=RuntimeError(DELETED)))
+        with mock.patch.object(QtGui.QApplication, "allWidgets", lambda: [QtGui.QLabel()]):
+            self.assertEqual(events.below(holder, QtGui.QLabel), [])
 
 
 class Names(driver.BlockTest):
@@ -196,4 +211,4 @@ class Names(driver.BlockTest):
 
 
 def main():
-    return driver.run_tests(Living, Kinds, Names)
+    return driver.run_tests(Living, Kinds, Found, Names)

@@ -15,7 +15,7 @@ from patchmill.machine.machining_time import in_words
 from PySide import QtCore, QtGui
 
 from patchmill_gui.fields import unit_text
-from patchmill_gui.fields.events import kind_of, unless_deleted
+from patchmill_gui.fields.events import around, kind_of, unless_deleted
 from patchmill_gui.fields.sentences import in_user_units
 from patchmill_gui.forms.texture_summary import grouped
 from patchmill_gui.forms.widgets import WrappingButton, one_shot, plain_label, translate, wrapping_label
@@ -52,7 +52,7 @@ class Head(QtGui.QFrame):
         self.buttons, self._offered = [], []
         self._place_soon = one_shot(self._place)
         self.state = None
-        self._area = self._margins = None
+        self._area = self._form = self._margins = None
         self._settled = False
         self.busy(translate("PatchMill", "Looking for good values …"))
 
@@ -136,14 +136,14 @@ class Head(QtGui.QFrame):
     def pin(self, form):
         """Puts the head on top of the scroll area of FreeCAD's panel that holds `form`; its view then begins
         below it. Returns whether there is one."""
-        chain = [form]  # kept: PySide takes a widget for deleted when the last name of its parent goes
-        while chain[-1] is not None and chain[-1].metaObject().className() != TASK_VIEW:
-            chain.append(chain[-1].parentWidget())
-        if chain[-1] is None:
+        holders = around(form, QtGui.QWidget)
+        views = [unless_deleted(partial(each.inherits, TASK_VIEW), False) for each in holders]
+        if True not in views:
             return False
         # FreeCAD's panel is one, or has one in it (1.1); pages of the tool box have areas of their own
-        area = next(each for each in reversed(chain) if each.inherits("QScrollArea"))
-        self._area, self._kept = area, chain
+        inwards = holders[views.index(True) :]
+        area = next(each for each in inwards if isinstance(each, QtGui.QScrollArea))
+        self._area, self._form = area, form
         self._margins = area.viewportMargins()  # those of its contents end when it is resized
         self.setParent(area)
         area.installEventFilter(self)
@@ -165,7 +165,7 @@ class Head(QtGui.QFrame):
             self._area.widget().setMinimumHeight(0)
             m = self._margins
             self._area.setViewportMargins(m.left(), m.top(), m.right(), m.bottom())
-            self._area = None
+            self._area = self._form = None
         self.hide()
         self.setParent(None)  # PySide keeps what has a parent
         self.deleteLater()
@@ -184,7 +184,7 @@ class Head(QtGui.QFrame):
         for layout in (self.fixes, self.layout()):
             layout.invalidate()  # buttons that broke their text anew have told neither that they are higher
         height = max(self.layout().heightForWidth(width), self.layout().minimumSize().height())
-        rows_stay = self._settled and not resized and _is_at_work_in(area, self._kept[0])
+        rows_stay = self._settled and not resized and _is_at_work_in(area, self._form)
         if rows_stay:
             height = max(height, before - bar.value())  # what cannot be scrolled back stays empty
         self.setGeometry(0, 0, width, height)

@@ -9,7 +9,7 @@ from functools import partial
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from patchmill_gui.fields.events import unless_deleted
+from patchmill_gui.fields.events import below, unless_deleted
 
 TASK_VIEW = "Gui::TaskView::TaskView"
 SHOWN_MS = (100, 600)  # until the widgets of a panel that has just been shown have their sizes
@@ -23,12 +23,10 @@ def make_room_soon():
 
 def make_room():
     """Widens the dock with FreeCAD's task panel to the least width that its contents can have, those of
-    scroll areas in it as well, the scroll bar beside them; a dock that is as wide stays. The way goes from
-    the main window down: a panel's form that was asked for its parents is taken for deleted when Python
-    forgets those."""
+    scroll areas in it as well, the scroll bar beside them; a dock that is as wide stays."""
     window = FreeCADGui.getMainWindow()
     for dock in window.findChildren(QtGui.QDockWidget):
-        for area in dock.findChildren(QtGui.QScrollArea):
+        for area in below(dock, QtGui.QScrollArea):
             if _is_task_view(area):
                 needed = needed_width(dock, area)
                 if dock.isFloating() and dock.width() < needed:
@@ -49,7 +47,7 @@ def needed_width(dock, area):
     margins, bar = area.viewportMargins(), area.verticalScrollBar().sizeHint().width()
     contents = area.widget().minimumSizeHint().width()
     outer = contents + bar + margins.left() + margins.right() + 2 * (area.frameWidth() + left)
-    inner = [unless_deleted(partial(_hidden_width, each), 0) for each in area.findChildren(QtGui.QScrollArea)]
+    inner = [unless_deleted(partial(_hidden_width, each), 0) for each in below(area, QtGui.QScrollArea)]
     return max(outer, dock.width() + max(inner, default=0))
 
 
