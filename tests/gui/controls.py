@@ -18,6 +18,7 @@ import hands
 import Part
 from patchmill.freecad import preferences
 from patchmill.operations.texture_operation import ObjectTexture
+from patchmill_gui.fields.events import below, is_in
 from patchmill_gui.forms import machine_editor, post_dialog
 from PySide import QtCore, QtGui
 
@@ -36,15 +37,16 @@ LEFT = ("Simulate", "SaveRelief", "Preview", "Play")  # buttons that compute or 
 
 
 def controls(root):
-    """What can be touched in a widget, parts of another control left out, in Qt's order."""
-    found = []
-    for each in root.findChildren(QtGui.QWidget):
-        inner = each.parent()
-        while not (inner is None or inner is root or isinstance(inner, OWNERS)):
-            inner = inner.parent()
-        if isinstance(each, KINDS) and (inner is None or inner is root):
-            found.append(each)
-    return found
+    """What can be touched in a widget, parts of another control left out, from above to below."""
+    owners = below(root, OWNERS)
+    found = [each for each in owners if isinstance(each, KINDS)]
+    found = [each for each in found if not any(is_in(each, owner) for owner in owners)]
+    return sorted(found, key=lambda each: _place_in(root, each))
+
+
+def _place_in(root, widget):
+    place = widget.mapTo(root, QtCore.QPoint(0, 0))
+    return place.y(), place.x()
 
 
 class Controls(driver.BlockTest):
@@ -211,7 +213,7 @@ class Controls(driver.BlockTest):
     @staticmethod
     def outside(task):
         """Names of the controls of FreeCAD's own that are in the same dock."""
-        return [w.objectName() for w in task.findChildren(QtGui.QAbstractButton) if "qt_" in w.objectName()]
+        return [w.objectName() for w in below(task, QtGui.QAbstractButton) if "qt_" in w.objectName()]
 
     def test_the_preferences(self):
         group = FreeCAD.ParamGet(preferences.PATH)

@@ -21,6 +21,7 @@ import FreeCAD
 import FreeCADGui
 import hands
 from patchmill_gui.app import tool_paths
+from patchmill_gui.fields.events import below, unless_deleted
 from PySide import QtCore, QtGui
 
 ACTIONS, SEED, MOST_DOCUMENTS = 200, 20160105, 3
@@ -81,12 +82,13 @@ class Soak:
         sys.excepthook = lambda *error: self.told.append("".join(traceback.format_exception(*error)))
 
     def widgets(self, *kinds):
-        """What can be pressed in the task panel and in windows of ours, in the order in which Qt has it."""
-        window = FreeCADGui.getMainWindow()
-        places = window.findChildren(QtGui.QDockWidget) + window.findChildren(QtGui.QDialog)
-        places = [p for p in places if p.isVisible() and p.objectName() in PLACES]
-        found = [w for place in places for kind in kinds for w in place.findChildren(kind)]
-        return [w for w in found if w.isVisible() and w.isEnabled() and w.height() > 4]
+        """What can be pressed in the task panel and in windows of ours, from above to below."""
+        docks = FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget)  # as lasting as the window
+        places = docks + [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QDialog)]
+        places = [p for p in places if unless_deleted(p.isVisible, False) and p.objectName() in PLACES]
+        found = [w for place in places for w in below(place, kinds) if unless_deleted(w.isVisible, False)]
+        found = [w for w in found if w.isEnabled() and w.height() > 4]
+        return sorted(found, key=lambda w: w.mapToGlobal(QtCore.QPoint(0, 0)).toTuple()[::-1])
 
     def any_of(self, *kinds):
         found = self.widgets(*kinds)
@@ -118,11 +120,10 @@ class Soak:
 
     def switch_document(self):
         area = FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea)
-        windows = area.subWindowList()
-        if len(windows) < 2:
-            return False
-        area.setActiveSubWindow(self.chance.choice(windows))
-        return True
+        windows = sorted(below(area, QtGui.QMdiSubWindow), key=lambda window: window.windowTitle())
+        if len(windows) > 1:
+            area.setActiveSubWindow(self.chance.choice(windows))
+        return len(windows) > 1
 
     @staticmethod
     def ours():
@@ -212,13 +213,11 @@ class Soak:
 
     def click_view(self):
         """On a point of the 3-D view: selects a face, a dimple's operation, or nothing."""
-        window = FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea).currentSubWindow()
-        if window is None:
+        area = FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea)
+        if not below(area, QtGui.QMdiSubWindow):
             return False
-        sides = (window.width(), window.height())
-        width, height = (int(self.chance.uniform(0.3, 0.7) * side) for side in sides)
-        at = QtCore.QPoint(width, height)
-        hands.act("mousemove", *hands.place_of(window, at), "click", 1)
+        x, y = (int(self.chance.uniform(0.3, 0.7) * side) for side in (area.width(), area.height()))
+        hands.act("mousemove", *hands.place_of(area, QtCore.QPoint(x, y)), "click", 1)
         return True
 
     def tap(self, widget, *more):
