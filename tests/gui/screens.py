@@ -13,16 +13,15 @@ import sys
 import tempfile
 
 import driver
+import eyes
 import FreeCAD
 import FreeCADGui
-import numpy as np
 import Part
 from patchmill_gui.forms import machine_editor, post_dialog
 from patchmill_gui.panels.report_panel import ReportPanel
 from patchmill_gui.work.work_panel import WorkPanel
 from PySide import QtCore, QtGui
 
-CONTRAST = 4.5  # WCAG 2.2, success criterion 1.4.3
 GAP, WIDEST, BESIDE = 8, 700, 4  # pixels; panels in a picture
 SIZES = {"small": (1024, 768), "large": (1920, 1080)}
 LANGUAGES = {"german": "German", "japanese": "Japanese"}
@@ -62,14 +61,12 @@ class Sheet:
 
     def take(self, title, widget):
         """A widget's picture, and a line for each sentence of it that is hard to read."""
-        driver.rest(0.8)
-        shot = widget.grab()
-        self.pictures.append(shot)
-        for said, ratio in faint(widget):
+        self.pictures.append(eyes.settled(widget))
+        for said, ratio in eyes.faint(widget):
             print("%s, %s: contrast %.1f: %s" % (self.look, title, ratio, said), flush=True)
-        for said, lacks in clipped(widget):
+        for said, lacks in eyes.clipped(widget):
             print("%s, %s: %d pixels too narrow: %s" % (self.look, title, lacks, said), flush=True)
-        for said in without_buddy(widget):
+        for said in eyes.without_buddy(widget):
             print("%s, %s: an ampersand is shown: %s" % (self.look, title, said), flush=True)
         if len(self.pictures) == BESIDE:
             self.save()
@@ -87,64 +84,11 @@ class Sheet:
         image.fill(QtCore.Qt.magenta)
         painter, x = QtGui.QPainter(image), 0
         for each in shots:
-            painter.drawPixmap(x, 0, each)
+            painter.drawImage(x, 0, each)
             x += min(each.width(), WIDEST) + GAP
         painter.end()
         image.save(name)
         print(name, flush=True)
-
-
-def _luminance(pixels):
-    linear = pixels / 255.0
-    linear = np.where(linear <= 0.04045, linear / 12.92, ((linear + 0.055) / 1.055) ** 2.4)
-    return linear @ np.array([0.2126, 0.7152, 0.0722])
-
-
-def _pixels(widget):
-    image = widget.grab().toImage().convertToFormat(QtGui.QImage.Format_RGB888)
-    rows = np.frombuffer(image.constBits(), np.uint8, image.bytesPerLine() * image.height())
-    rows = rows.reshape(image.height(), -1)[:, : 3 * image.width()]
-    return rows.reshape(-1, 3).astype(float)
-
-
-def _texts(widget):
-    """Visible labels and buttons below a widget with their texts."""
-    for each in widget.findChildren(QtGui.QWidget):
-        if isinstance(each, (QtGui.QLabel, QtGui.QAbstractButton)) and each.isVisible() and each.isEnabled():
-            if each.text().strip() and each.width() > 8 and each.height() > 8:
-                yield each, each.text()
-
-
-def faint(widget):
-    """(text, contrast) of those below CONTRAST: of the commonest luminance and the one farthest from it."""
-    for each, text in _texts(widget):
-        light = np.round(_luminance(_pixels(each)), 3)
-        values, counts = np.unique(light, return_counts=True)
-        ground = values[counts.argmax()]
-        ratios = (np.maximum(values, ground) + 0.05) / (np.minimum(values, ground) + 0.05)
-        if ratios.max() < CONTRAST:
-            yield text, ratios.max()
-
-
-def clipped(widget):
-    """(text, pixels that are missing) of labels of one line and of buttons that are too narrow for it."""
-    for each, text in _texts(widget):
-        if isinstance(each, QtGui.QAbstractButton):
-            text = QtGui.QAbstractButton.text(each)  # a button of ours breaks it
-        wraps = isinstance(each, QtGui.QLabel) and (each.wordWrap() or "<" in text)
-        lacks = each.fontMetrics().horizontalAdvance(text.replace("&", "")) - each.width()
-        if not wraps and lacks > 0 and "\n" not in text:
-            yield text, lacks
-
-
-def without_buddy(widget):
-    """Texts of labels whose ampersand is no key: there is no field that it leads to."""
-    labels = [each for each in widget.findChildren(QtGui.QLabel) if each.isVisible()]
-    return [each.text() for each in labels if "&" in each.text() and each.buddy() is None and plain(each)]
-
-
-def plain(label):
-    return label.textFormat() == QtCore.Qt.PlainText or "<" not in label.text()
 
 
 def dock():
