@@ -13,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -103,6 +104,14 @@ TEST(VoxelFile, TakesNoMoreMemoryThanTheFileIsLong) {
   std::ofstream(kPath, std::ios::binary) << head;
   EXPECT_FALSE(read_voxel_model(kPath, "key"));
   std::remove(kPath.c_str());
+}
+
+// Whoever opened it would wait until another writes into it.
+TEST(VoxelFile, IsNoPipe) {
+  ASSERT_EQ(mkfifo(kPath.c_str(), 0600), 0);
+  EXPECT_FALSE(read_voxel_model(kPath, "key"));
+  std::remove(kPath.c_str());
+  EXPECT_FALSE(read_voxel_model("/dev/zero", "key"));
 }
 
 TEST(FieldView, SectionHoldsTheFieldsOfItsLayer) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 namespace patchmill::dcm {
@@ -157,6 +158,9 @@ void write_voxel_model(const std::string& path, const std::string& key, const Vo
 }
 
 std::optional<VoxelModel> read_voxel_model(const std::string& path, const std::string& key) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown))
+    return std::nullopt;  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
   file.seekg(0, std::ios::end);
   const auto size = static_cast<std::int64_t>(file.tellg());

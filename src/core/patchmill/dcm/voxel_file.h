@@ -23,7 +23,7 @@ struct VoxelModel {
 void write_voxel_model(const std::string& path, const std::string& key, const VoxelModel& model);
 
 /// The model in the file, or nothing if there is no such file, its key is another, or it is not
-/// whole: then it is to be made anew. Takes no more memory than the file is long.
+/// whole, or is a device or a pipe: then it is to be made anew. Takes no more memory than the file is long.
 std::optional<VoxelModel> read_voxel_model(const std::string& path, const std::string& key);
 
 }  // namespace patchmill::dcm
