@@ -39,6 +39,9 @@ def main(arguments: Optional[List[str]] = None) -> int:
     except BatchError as error:
         print("patchmill: %s" % error, file=sys.stderr)
         return WRONG_CALL
+    except OSError as error:  # no room, no folder for temporary files
+        print("patchmill: %s: %s." % (error.filename or "files", error.strerror or error), file=sys.stderr)
+        return FAILED
     except KeyboardInterrupt:
         print("patchmill: stopped; a run goes on from here with --resume.", file=sys.stderr)
         return FAILED

@@ -7,7 +7,9 @@ import json
 from typing import Any, Dict, List
 
 from patchmill.batch.problem import BatchError
+from patchmill.batch.recipe import text_of
 
+MOST_BYTES = 1 << 30
 WATCHED = (
     ("status", "result"),
     ("dimples", "dimples"),
@@ -18,11 +20,9 @@ WATCHED = (
 
 def load(filename: str) -> Dict[str, Any]:
     """The data of an index.json. Raises BatchError if it is none."""
+    text = text_of(filename, "--compare", MOST_BYTES)
     try:
-        with open(filename, encoding="utf-8") as file:
-            index = json.load(file)
-    except OSError as error:
-        raise BatchError("--compare", filename, "%s." % (error.strerror or error)) from error
+        index = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise BatchError("--compare", filename, "it is no index.json: %s." % error) from error
     parts = index.get("parts") if isinstance(index, dict) else None

@@ -18,7 +18,12 @@ import shutil
 import tempfile
 from typing import Any, Dict, Optional
 
+from _patchmill import InputError
+
 from patchmill.batch.problem import BatchError
+from patchmill.system import files
+
+OLD = ".old"  # in .work: parts that are being replaced
 
 
 class OutputFolder:
@@ -36,13 +41,22 @@ class OutputFolder:
                 self._own_folder(name)
             self._hold()
         except OSError as error:
-            raise BatchError("output folder", self.path, "%s." % (error.strerror or error)) from error
+            raise self._refused(error) from error
+        self._put_back()
         work = os.path.join(self.path, ".work")
         for name in os.listdir(work):  # of runs that were ended
             shutil.rmtree(os.path.join(work, name), ignore_errors=True)
         return self
 
+    def _put_back(self) -> None:
+        """Parts whose old folder was taken away, and then no new one came in its place."""
+        old = os.path.join(self.path, ".work", OLD)
+        for name in os.listdir(old) if os.path.isdir(old) else ():
+            if not os.path.lexists(os.path.join(self.path, "parts", name)):
+                os.rename(os.path.join(old, name), os.path.join(self.path, "parts", name))
+
     def __exit__(self, *ended: Any) -> None:
+        self._put_back()
         shutil.rmtree(os.path.join(self.path, ".work"), ignore_errors=True)
         if self._lock is not None:
             os.close(self._lock)
@@ -80,41 +94,48 @@ class OutputFolder:
         return path
 
     def working_folder(self, name: str) -> str:
-        """A new folder for a part that is being made."""
-        return tempfile.mkdtemp(prefix=name[:40] + "-", dir=os.path.join(self.path, ".work"))
+        """A new folder for a part that is being made. Raises BatchError if there can be none."""
+        try:
+            return tempfile.mkdtemp(prefix=name[:40] + "-", dir=os.path.join(self.path, ".work"))
+        except OSError as error:
+            raise self._refused(error) from error
 
     def known(self, name: str, key: str) -> Optional[Dict[str, Any]]:
         """The result of a part that was finished under the same `key` and whose files are all there, or
         None."""
         folder = self.part_folder(name)
         try:
-            with open(os.path.join(folder, "result.json"), encoding="utf-8") as file:
-                result: Dict[str, Any] = json.load(file)
-        except (OSError, ValueError):
+            result: Dict[str, Any] = json.loads(files.read_text(os.path.join(folder, "result.json")))
+        except (InputError, ValueError):
             return None
-        files = result.get("files", [])
-        there = all(os.path.isfile(os.path.join(folder, f)) for f in files)
+        there = all(os.path.isfile(os.path.join(folder, f)) for f in result.get("files", []))
         return result if result.get("key") == key and there else None
 
     def keep(self, name: str, working: str, result: Dict[str, Any]) -> None:
-        """Moves a finished part's folder to its place, with result.json in it."""
-        with open(os.path.join(working, "result.json"), "w", encoding="utf-8") as file:
-            json.dump(result, file, indent=1, sort_keys=True)
-            file.flush()
-            os.fsync(file.fileno())
+        """Moves a finished part's folder to its place, with result.json in it. Raises BatchError if it cannot
+        be: what was there before is there again."""
         folder = self.part_folder(name)
-        if os.path.lexists(folder):
-            os.rename(folder, self.working_folder(name) + "-old")
-        os.rename(working, folder)
+        aside = os.path.join(self.path, ".work", OLD, name)
+        try:
+            files.write(os.path.join(working, "result.json"), json.dumps(result, indent=1, sort_keys=True))
+            if os.path.lexists(folder):
+                os.makedirs(os.path.dirname(aside), exist_ok=True)
+                shutil.rmtree(aside, ignore_errors=True)
+                os.rename(folder, aside)
+            os.rename(working, folder)
+        except InputError as error:
+            raise BatchError("output folder", folder, error.remedy) from error
+        except OSError as error:
+            raise self._refused(error) from error
 
     def write(self, name: str, text: str) -> None:
-        """Writes a file of the run whole: beside, then renamed."""
+        """Writes a file of the run whole. Raises BatchError if it cannot be."""
         path = os.path.join(self.path, name)
         self._refuse_link(path)
-        handle, part = tempfile.mkstemp(dir=os.path.join(self.path, ".work"))
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.chmod(part, 0o644)
-        os.replace(part, path)
+        try:
+            files.write(path, text)
+        except InputError as error:
+            raise BatchError("output folder", path, error.remedy) from error
+
+    def _refused(self, error: OSError) -> BatchError:
+        return BatchError("output folder", self.path, "%s." % (error.strerror or error))

@@ -15,7 +15,10 @@ import re
 from dataclasses import dataclass
 from typing import Any, Dict, List
 
+from _patchmill import InputError
+
 from patchmill.batch.problem import BatchError
+from patchmill.system import files as whole_files
 
 ENDINGS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 MAX_BYTES = 10_000_000
@@ -65,7 +68,7 @@ def schemas_folder() -> str:
 def load(filename: str, parts: List[str]) -> Recipe:
     """The Recipe of a file. `parts`: files that the caller names instead of the recipe's own, or none.
     Raises BatchError naming the position in the file that is wrong."""
-    data = checked(_read(filename), filename)
+    data = checked(text_of(filename, "recipe", MAX_BYTES), filename)
     folder = os.path.dirname(os.path.abspath(filename))
     for name in mask_images(data):
         inside(folder, name, "%s: /operations/MaskImage" % filename)
@@ -138,12 +141,24 @@ def mask_images(data: Dict[str, Any]) -> List[str]:
 
 
 def digest_of(filename: str) -> str:
-    """SHA-256 of a file's bytes."""
+    """SHA-256 of a file's bytes. Raises BatchError if it cannot be read, or is a device or a pipe."""
     digest = hashlib.sha256()
-    with open(filename, "rb") as file:
-        for block in iter(lambda: file.read(1 << 20), b""):
-            digest.update(block)
+    try:
+        with whole_files.opened(filename) as file:
+            for block in iter(lambda: file.read(1 << 20), b""):
+                digest.update(block)
+    except InputError as error:
+        raise BatchError("file", filename, error.remedy) from error
     return digest.hexdigest()
+
+
+def text_of(filename: str, where: str, most: int) -> str:
+    """The text of a file of at most so many bytes. Raises BatchError naming `where` if it cannot be read, is
+    a device or a pipe, or no UTF-8."""
+    try:
+        return str(whole_files.read_text(filename, where, most))
+    except InputError as error:
+        raise BatchError(where, filename, error.remedy) from error
 
 
 def inside(folder: str, name: str, where: str) -> str:
@@ -160,22 +175,6 @@ def inside(folder: str, name: str, where: str) -> str:
     if os.path.commonpath([home, os.path.realpath(path)]) != home:
         raise BatchError(where, name, "it is a link out of the recipe's folder.")
     return path
-
-
-def _read(filename: str) -> str:
-    try:
-        with open(filename, "rb") as file:
-            raw = file.read(MAX_BYTES + 1)
-    except OSError as error:
-        raise BatchError("recipe", filename, "%s." % (error.strerror or error)) from error
-    if len(raw) > MAX_BYTES:
-        raise BatchError("recipe", filename, "it is longer than %d bytes." % MAX_BYTES)
-    try:
-        return raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise BatchError(
-            "recipe", filename, "save it as UTF-8 (byte %d is none)." % error.start
-        ) from error
 
 
 def _named_parts(names: List[str], folder: str, filename: str) -> List[str]:

@@ -110,20 +110,34 @@ def read_bytes(filename, name="filename", most=1 << 30):
     """What a file of at most so many bytes holds. Raises InputError naming `name` if it cannot be read, or is
     a device or pipe, which might never end."""
     asked = name_of(filename, name)
+    with opened(asked, name) as file:
+        content = file.read(most + 1)
+    if len(content) > most:
+        raise InputError(name, repr(asked), "it has more than %d bytes: give a smaller file." % most)
+    return content
+
+
+@contextlib.contextmanager
+def opened(filename, name="filename"):
+    """A binary file to read from. Raises InputError naming `name` if it cannot be read, or is a device or
+    pipe, which might never end."""
+    asked = name_of(filename, name)
+    remedy = "it is a device or a pipe, not a file: give another one."
     try:
-        with open(asked, "rb", opener=_at_once) as file:
-            regular = stat.S_ISREG(os.fstat(file.fileno()).st_mode)
-            content = file.read(most + 1) if regular else b""
-        if regular and len(content) <= most:
-            return content
-        remedy = "it is a device or a pipe, not a file: give another one."
-        if regular:
-            remedy = "it has more than %d bytes: give a smaller file." % most
+        with _readable(asked, name) as file:
+            if stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                yield file
+                return
     except OSError as error:
         remedy = "it cannot be read (%s): give another file." % (error.strerror or error)
-    except ValueError:
-        remedy = "there can be no such file: give another name."
     raise InputError(name, repr(asked), remedy)
+
+
+def _readable(asked, name):
+    try:
+        return open(asked, "rb", opener=_at_once)
+    except ValueError as error:
+        raise InputError(name, repr(asked), "there can be no such file: give another name.") from error
 
 
 def _at_once(path, flags):
