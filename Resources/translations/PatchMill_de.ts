@@ -4428,6 +4428,10 @@ Spindel {:.0f}°</translation>
         <source>give 0, or choose a constant-feed strategy: a paced path takes none.</source>
         <translation>0 angeben oder eine Strategie mit konstantem Vorschub wählen: eine getaktete Bahn braucht keine.</translation>
     </message>
+    <message>
+        <source>A ball of diameter {} reaches {:.0f} % of the faces.</source>
+        <translation>Eine Kugel mit dem Durchmesser {} erreicht {:.0f} % der Flächen.</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

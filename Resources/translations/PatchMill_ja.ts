@@ -4428,6 +4428,10 @@ X {}  Y {}  Z {} {}
         <source>give 0, or choose a constant-feed strategy: a paced path takes none.</source>
         <translation>0 を指定するか、送り一定の方式を選んでください。歩調を合わせた経路では使いません。</translation>
     </message>
+    <message>
+        <source>A ball of diameter {} reaches {:.0f} % of the faces.</source>
+        <translation>直径 {} のボールは面の {:.0f} % に届きます。</translation>
+    </message>
 </context>
 <context>
     <name>PatchMillPreferences</name>

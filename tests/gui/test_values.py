@@ -140,12 +140,14 @@ class Values(driver.BlockTest):
         said = texture_head.remedy_text(Remedy("finer", {"spacing": 0.12}, found))
         self.assertIn("spacing 0.004724 in", said)
         _, panel = driver.begin_texture(self.part)
-        panel.advising._helped(([], (0.05, 0.11), None, False))
+        panel.advising._helped(([], (0.05, 0.11), None, False, []))
         self.assertIn("radius of 0.001969 in; the ball of 0.004331 in", panel.advising.head.hint.text())
-        panel.advising._helped(([], None, (0.15, 3.0), False))
+        panel.advising._helped(([], None, (0.15, 3.0), False, []))
         self.assertIn("about 0.005906 in wide", panel.advising.head.hint.text())
-        panel.advising._helped(([], None, None, True))
-        self.assertIn("Walls of the part", panel.advising.head.hint.text())
+        panel.advising._helped(([], None, None, True, [(2.0, 0.64), (0.2, 0.9)]))
+        said = panel.advising.head.hint.text()
+        self.assertIn("Walls of the part", said)
+        self.assertIn("0.07874 in reaches 64 % of the faces. A ball of diameter 0.007874 in reaches 90 %", said)
 
     def test_an_error_at_its_field_is_in_the_users_units(self):
         rows = self.begin(INCHES)

@@ -37,6 +37,26 @@ class SmallerBalls(unittest.TestCase):
             made = room.smaller_balls(operation.Proxy.texture_input(operation), walls)
             self.assertEqual([(2.0 * one["tool"].radius, one["spacing"]) for one in made], expected, name)
 
+    def test_what_a_ball_reaches_of_the_floor_of_a_pocket(self):
+        """Of 20 by 14 mm, all that is no nearer to a wall than its radius."""
+        operation = one_click.texture(*other_parts.pocket(1.5), "linuxcnc-mill")
+        self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+        given, model = operation.Proxy.texture_input(operation), apply.model_of(operation)
+        for radius in (0.1, 0.5, 1.0, 1.5):
+            expected = (1.0 - radius / 10.0) * (1.0 - radius / 7.0)
+            self.assertAlmostEqual(room.reached_by(given, radius, model), expected, delta=0.015)
+        self.assertEqual(room.reached_by(given, 1.0, ()), 1.0)
+        said = [(across, round(part, 1)) for across, part in room.short_reach(given, True, model)]
+        self.assertEqual(said, [(2.0, 0.8), (1.0, 0.9)])
+
+    def test_what_a_ball_reaches_of_a_bore(self):
+        """All or nothing; of an outside all, whatever the ball."""
+        for name, radius, expected in (("bore", 7.9, 1.0), ("bore", 8.1, 0.0), ("shaft", 20.0, 1.0)):
+            operation = one_click.texture(*other_parts.PARTS[name](), "linuxcnc-mill")
+            self.addCleanup(FreeCAD.closeDocument, operation.Document.Name)
+            given, model = operation.Proxy.texture_input(operation), apply.model_of(operation)
+            self.assertEqual(room.reached_by(given, radius, model), expected, name)
+
     def found_for_a_groove(self, free):
         """(Operation, Remedies) where nothing is good but a ball of less than 0.8 mm."""
         operation = one_click.texture(*other_parts.PARTS["capacitor"](), "linuxcnc-mill")

@@ -40,15 +40,18 @@ def _assess_and_draw(planned, others, model, progress):
 
 def _find_help(finder, given, progress, tell):
     """(Remedies, (least radius of the faces' hollows, that of the ball) [mm] if it does not fit or None,
-    room.too_narrow where nothing helps at this spacing or None, whether walls are in the way), or None if
-    cancelled. `tell`: as Finder.find takes it."""
+    room.too_narrow where nothing helps at this spacing or None, whether walls are in the way,
+    room.short_reach where no remedy is good), or None if cancelled. `tell`: as Finder.find takes it."""
     found = finder.find(given, progress, tell)
     if found is None:
         return None
     radius = room.ball_too_large(given)
     helped = any(remedy.assessment.good and "spacing" not in remedy.fields for remedy in found)
     strip = None if helped else room.too_narrow(given)
-    return found, radius and (radius, given.tool.radius), strip, finder.walls
+    reach = []
+    if (radius or finder.walls) and not any(remedy.assessment.good for remedy in found):
+        reach = room.short_reach(given, finder.walls, finder.model)
+    return found, radius and (radius, given.tool.radius), strip, finder.walls, reach
 
 
 class Advising(QtCore.QObject):
@@ -205,7 +208,7 @@ class Advising(QtCore.QObject):
         self.helping.start(lambda progress: _find_help(finder, given, progress, self.helping.tell))
 
     def _helped(self, made):
-        found, radii, strip, walls = made or (None, None, None, False)
+        found, radii, strip, walls, reach = made or (None, None, None, False, [])
         said = [] if found else [translate("PatchMill", "Nothing that was tried makes it better.")]
         if radii is not None:
             bends = translate(
@@ -219,6 +222,9 @@ class Advising(QtCore.QObject):
             said.append(wide.format(unit_text.text_of(strip[0], "mm"), strip[1]))
         elif walls:
             said.append(translate("PatchMill", "Walls of the part beside the faces are in the tool's way."))
+        for across, part in reach:
+            tool = translate("PatchMill", "A ball of diameter {} reaches {:.0f} % of the faces.")
+            said.append(tool.format(unit_text.text_of(across, "mm"), 100.0 * part))
         self.head.note(" ".join(said))
         self.head.offer(found or [])
 

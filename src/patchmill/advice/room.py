@@ -6,10 +6,12 @@ that leans, or the ball of an upright one, runs into.
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
+import itertools
 import math
 from dataclasses import replace
 
 import _patchmill as core
+import Part
 
 from patchmill.advice.found import GOOD_FRACTION
 from patchmill.collision.clearance_check import VIOLATED, CheckInput, run_check
@@ -18,6 +20,8 @@ from patchmill.textures.order import rows
 from patchmill.textures.plan import plan_texture
 
 ACROSS = 15  # places along each parameter of a face that are looked at
+PLACES = 300  # of a face, where a ball is held against the whole part
+STEPS = 0.7548776662466927, 0.5698402909980532  # from one to the next: as evenly in the plane as can be
 FLAT = 1e-9  # 1/mm: of less the faces do not bend
 ABREAST = 5.0  # dimples side by side: a rim with 3 has quality 0.56, with 6 it is good (docs/advice.md)
 # What a new operation allows [mm]: so deep below the model, so near to shank and holder
@@ -63,6 +67,49 @@ def smaller_balls(given, walls):
         limits = [FITS * radius, SMALLER * radius]
     fitting = [max((d for d in BALLS if 0.5 * d <= limit + 1e-9), default=0.0) for limit in limits]
     return [_with_ball(given, 0.5 * d) for d in sorted(set(fitting), reverse=True) if d > 0.0]
+
+
+def reached_by(given, radius, model):
+    """Of the area of a TextureInput's faces, 0 to 1, where a ball of `radius` [mm] can touch them and comes
+    no more than GOUGE_TOLERANCE into a `model`, BREP texts, elsewhere, however the tool leans."""
+    others = [face for text in model for face in shapes.of_brep(text).Faces]
+    reached = total = 0.0
+    for face in (face for text in given.breps for face in shapes.of_brep(text).Faces):
+        for point, normal, area in _places(face):
+            centre = point + normal * radius
+            ball, room = Part.Vertex(centre), radius - GOUGE_TOLERANCE
+            near = (one for one in others if _is_near(one.BoundBox, centre, room))
+            reached += area * all(one.distToShape(ball)[0] >= room for one in near)
+            total += area
+    return reached / total if total else 0.0
+
+
+def _places(face):
+    """Yields (point [mm], outward normal, area that it stands for [mm²]) of up to PLACES places of a face."""
+    u0, u1, v0, v1 = face.ParameterRange
+    cell = (u1 - u0) * (v1 - v0) / PLACES
+    for k in range(PLACES):
+        u, v = u0 + (0.5 + k * STEPS[0]) % 1.0 * (u1 - u0), v0 + (0.5 + k * STEPS[1]) % 1.0 * (v1 - v0)
+        if face.isPartOfDomain(u, v):
+            along_u, along_v = face.derivative1At(u, v)
+            yield face.valueAt(u, v), face.normalAt(u, v), cell * along_u.cross(along_v).Length
+
+
+def _is_near(box, centre, room):
+    """Whether a point is less than `room` [mm] off a BoundBox."""
+    nearest = [
+        min(max(centre[k], (box.XMin, box.YMin, box.ZMin)[k]), (box.XMax, box.YMax, box.ZMax)[k])
+        for k in range(3)
+    ]
+    return math.dist(nearest, centre) < room
+
+
+def short_reach(given, walls, model):
+    """[(diameter [mm], part of the faces that it reaches)] of a TextureInput's ball and of those of
+    smaller_balls, as many as reach too little of them; none where its own reaches enough."""
+    balls = [given.tool, *(fields["tool"] for fields in smaller_balls(given, walls))]
+    made = ((2.0 * ball.radius, reached_by(given, ball.radius, model)) for ball in balls)
+    return list(itertools.takewhile(lambda one: one[1] < GOOD_FRACTION, made))
 
 
 def _with_ball(given, radius):
