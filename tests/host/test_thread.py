@@ -187,6 +187,15 @@ class Thread(WithDocuments):
                 relief = result.unrolled()
                 self.assertAlmostEqual(len(relief.heights) * relief.step[0], 12.0 * math.pi, delta=0.05)
 
+    def test_the_best_speed_is_the_fastest_at_which_the_table_keeps_up(self):
+        """The time falls as the speed rises, but for the way down."""
+        _, op = roller(6.0, 4.0)
+        found = patchmill.best_speed(op, speeds=(500, 1000, 2000))
+        self.assertEqual([point.holds for point in found.curve] + [found.best.rpm], [True, True, False, 1000])
+        self.assertIn("give", found.curve[-1].trouble)
+        turned = [point.seconds * point.rpm for point in found.curve[:2]]
+        self.assertAlmostEqual(turned[0], turned[1], delta=0.1 * turned[0])
+
     def test_what_a_thread_cannot_have_is_refused(self):
         _, op = roller(6.0, 3.0)
         for name, value, said in (

@@ -163,8 +163,7 @@ def _at(plan, point):
         point = replace(point, feed=float("nan"))
     spindle = core.Spindle(point.rpm / 60.0, "M3" if given.spindle.sign < 0 else "M4")
     try:
-        path = strategies.path_at(given, plan.dimples, rule, plan.machine, spindle, plan.posture)
-        verdict = _verdict_of(path, plan, rule, spindle)
+        path, verdict = _judged(plan, given, rule, spindle)
     except InputError as error:
         return replace(point, trouble=str(error))
     statistics = path.statistics()
@@ -178,6 +177,16 @@ def _at(plan, point):
         holds=verdict.holding == "holds",
         trouble=_trouble(verdict),
     )
+
+
+def _judged(plan, given, rule, spindle):
+    """(path, verdict) of a plan's dimples at the speed of `spindle`. A thread is one move whose turns follow
+    from the cylinder: it is planned anew."""
+    if plan.thread is not None:
+        thread = plan_texture(replace(plan.asked or plan.input, spindle=spindle))
+        return thread.path, thread.pacing.verdict
+    path = strategies.path_at(given, plan.dimples, rule, plan.machine, spindle, plan.posture)
+    return path, _verdict_of(path, plan, rule, spindle)
 
 
 def _trouble(verdict):
