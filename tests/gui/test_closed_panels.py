@@ -77,9 +77,9 @@ class ClosedPanels(driver.unittest.TestCase):
         panel.reject()
         del panel
         self.assertNothingLeft()
-        known = [one for one in gc.get_objects() if issubclass(type(one), QtGui.QWidget)]
-        deleted = [shiboken.dump(one) for one in known if not shiboken.isValid(one)]
-        self.assertEqual([each for each in deleted if "parent." in each], [])
+        lasting = [one for one in gc.get_objects() if is_widget(one) and shiboken.isValid(one)]
+        held = [each for one in lasting for each in gc.get_referents(one) if is_widget(each)]
+        self.assertEqual([type(each).__name__ for each in held if not shiboken.isValid(each)], [])
 
     def test_of_a_texture_undone_while_it_computes(self):
         _, panel = driver.begin_texture(self.part)
@@ -225,6 +225,10 @@ class ClosedPanels(driver.unittest.TestCase):
                 driver.rest(0.2)
         self.assertEqual(len(deleted_widgets._taken), before + 6)
         del deleted_widgets._taken[before:]
+
+
+def is_widget(thing):
+    return issubclass(type(thing), QtGui.QWidget)  # which asks nothing of what may be deleted
 
 
 @contextlib.contextmanager
