@@ -147,7 +147,8 @@ class Values(driver.BlockTest):
         panel.advising._helped(([], None, None, True, [(2.0, 0.64), (0.2, 0.9)]))
         said = panel.advising.head.hint.text()
         self.assertIn("Walls of the part", said)
-        self.assertIn("0.07874 in reaches 64 % of the faces. A ball of diameter 0.007874 in reaches 90 %", said)
+        self.assertIn("0.07874 in reaches 64 % of the faces", said)
+        self.assertIn("A ball of diameter 0.007874 in reaches 90 %", said)
 
     def test_an_error_at_its_field_is_in_the_users_units(self):
         rows = self.begin(INCHES)
