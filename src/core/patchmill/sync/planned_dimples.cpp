@@ -96,8 +96,11 @@ void in_batches(const patch::Dimples& dimples, const Tool& tool, const Spindle& 
   std::size_t next = 0;
   const auto begin = [&](tbb::flow_control& flow) {
     Work& work = works[next / kBatch % kUnderWay];
+    if (next == dimples.size()) {  // this is the last batch, which is under way
+      flow.stop();
+      return &work;
+    }
     work.range = Range(next, std::min(next + kBatch, dimples.size()));
-    if (work.range.empty()) flow.stop();
     next = work.range.end();
     return &work;
   };
