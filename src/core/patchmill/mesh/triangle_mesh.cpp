@@ -20,19 +20,6 @@ Vec3 cross_of(const TriangleMesh& mesh, const std::array<std::int32_t, 3>& t) {
   return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
 }
 
-void require_indices(const TriangleMesh& mesh, const char* property) {
-  if (mesh.triangles.empty())
-    throw InputError(property, "0 triangles", "give a solid with a tessellated surface.");
-  const auto n = static_cast<std::int32_t>(mesh.vertices.size());
-  for (const auto& t : mesh.triangles)
-    for (const std::int32_t v : t)
-      if (v < 0 || v >= n)
-        throw InputError(property, fmt::format("corner {} of {} vertices", v, n),
-                         "give triangles whose corners are vertices of the mesh.");
-  for (const Vec3& v : mesh.vertices)
-    if (!v.allFinite()) throw InputError(property, "a vertex at infinity", "give finite vertices.");
-}
-
 // Edges that are met more often one way than the other.
 std::size_t unmatched_edges(const TriangleMesh& mesh) {
   struct Edge {
@@ -61,6 +48,19 @@ std::size_t unmatched_edges(const TriangleMesh& mesh) {
 }
 
 }  // namespace
+
+void require_indices(const TriangleMesh& mesh, const char* property) {
+  if (mesh.triangles.empty())
+    throw InputError(property, "0 triangles", "give a solid with a tessellated surface.");
+  const auto n = static_cast<std::int32_t>(mesh.vertices.size());
+  for (const auto& t : mesh.triangles)
+    for (const std::int32_t v : t)
+      if (v < 0 || v >= n)
+        throw InputError(property, fmt::format("corner {} of {} vertices", v, n),
+                         "give triangles whose corners are vertices of the mesh.");
+  for (const Vec3& v : mesh.vertices)
+    if (!v.allFinite()) throw InputError(property, "a vertex at infinity", "give finite vertices.");
+}
 
 Box bounds(const TriangleMesh& mesh) {
   Box box;
@@ -93,7 +93,7 @@ void require_closed(const TriangleMesh& mesh, const char* property) {
                      "give a solid whose surface faces outwards.");
 }
 
-TriangleMesh weld(const TriangleMesh& mesh) {
+TriangleMesh join_vertices(const TriangleMesh& mesh) {
   const auto& v = mesh.vertices;
   std::vector<std::int32_t> order(v.size()), name(v.size());
   std::iota(order.begin(), order.end(), 0);
@@ -106,10 +106,19 @@ TriangleMesh weld(const TriangleMesh& mesh) {
     if (i == 0 || v[order[i]] != v[order[i - 1]]) out.vertices.push_back(v[order[i]]);
     name[order[i]] = static_cast<std::int32_t>(out.vertices.size()) - 1;
   }
-  for (const auto& t : mesh.triangles) {
-    const std::array<std::int32_t, 3> u{name[t[0]], name[t[1]], name[t[2]]};
-    if (u[0] != u[1] && u[1] != u[2] && u[2] != u[0]) out.triangles.push_back(u);
-  }
+  out.triangles.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles)
+    out.triangles.push_back({name[t[0]], name[t[1]], name[t[2]]});
+  return out;
+}
+
+TriangleMesh weld(const TriangleMesh& mesh) {
+  TriangleMesh out = join_vertices(mesh);
+  const auto lost = [](const std::array<std::int32_t, 3>& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  };
+  out.triangles.erase(std::remove_if(out.triangles.begin(), out.triangles.end(), lost),
+                      out.triangles.end());
   return out;
 }
 

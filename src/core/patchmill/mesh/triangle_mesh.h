@@ -36,10 +36,16 @@ Box bounds(const TriangleMesh& mesh);           ///< [mm]; of no vertices: lo = 
 double volume(const TriangleMesh& mesh);        ///< [mm^3], by the divergence theorem
 double surface_area(const TriangleMesh& mesh);  ///< [mm^2]
 
+/// Throws InputError naming `property` unless the mesh has triangles, all corners are vertices and these finite.
+void require_indices(const TriangleMesh& mesh, const char* property);
+
 /// Throws InputError naming `property` unless the mesh has triangles, indices and coordinates are
 /// good, every edge is met as often one way as the other (no open shell, no flipped triangle), and
 /// the volume is positive (not inside out).
 void require_closed(const TriangleMesh& mesh, const char* property);
+
+/// The same triangles, as many, with vertices of equal coordinates made one.
+TriangleMesh join_vertices(const TriangleMesh& mesh);
 
 /// The same triangles with vertices of equal coordinates made one, and triangles that have thereby
 /// lost a corner left out: what a list of loose triangles (an STL file) needs before use.

@@ -11,6 +11,12 @@
 
 namespace patchmill::patch {
 
+ObliqueFrame::ObliqueFrame(const TexturePlane& plane) : origin(plane.origin) {
+  Eigen::Matrix3d columns;
+  columns << plane.x_axis, plane.y_axis, plane.direction;
+  inverse = columns.inverse();
+}
+
 TexturePlane texture_plane(const Vec3& origin, const Vec3& direction, const Vec3& x_hint,
                            double rotation) {
   constexpr double kFarthest = 1e6;  // mm; beyond it coordinates are not known to a nanometre

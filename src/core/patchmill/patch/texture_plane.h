@@ -19,6 +19,16 @@ struct TexturePlane {
   Vec3 at(const Vec2& p) const { return origin + p.x() * x_axis + p.y() * y_axis; }
 };
 
+/// Coordinates (x, y, depth) with  P = origin + x x_axis + y y_axis + depth direction  of a plane. The direction
+/// need not be at right angles to it.
+struct ObliqueFrame {
+  explicit ObliqueFrame(const TexturePlane& plane);
+  Vec3 coordinates(const Vec3& p) const { return inverse * (p - origin); }  ///< of a point [mm]
+  Vec3 along(const Vec3& v) const { return inverse * v; }                   ///< of a vector [mm]
+  Vec3 origin;
+  Eigen::Matrix3d inverse;
+};
+
 /// A plane through `origin` at right angles to `direction`, with its x axis as near to `x_hint` as
 /// possible, turned by `rotation` [rad] about -direction.
 /// Errors: InputError naming Direction if it is zero or not finite, or parallel to `x_hint`; Origin or Rotation
