@@ -27,6 +27,7 @@ void bind_path(py::module_& m);
 void bind_patch(py::module_& m);
 void bind_rows(py::module_& m);
 void bind_dimples_at(py::module_& m);
+void bind_mesh(py::module_& m);
 void bind_texture(py::module_& m);
 void bind_atlas(py::module_& m);
 void bind_matsuda(py::module_& m);

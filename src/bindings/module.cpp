@@ -91,7 +91,7 @@ PYBIND11_MODULE(_patchmill, m) {
   bind_watch(m);
   subject(m, "path", "Tools, spindles and tool paths.", {bind_path});
   subject(m, "patch", "Patches, lattices, masks and sizes of textures.",
-          {bind_patch, bind_dimples_at, bind_rows, bind_texture});
+          {bind_patch, bind_dimples_at, bind_rows, bind_mesh, bind_texture});
   subject(m, "brep", "Points and borders of faces.", {bind_brep, bind_atlas});
   subject(m, "machine", "Machines: axes, joints, motion, programs that are written and read.",
           {bind_machine, bind_kinematics, bind_machine_model});

@@ -52,12 +52,6 @@ int first_cells(const Adaptor3d_Surface& s, bool u) {
 
 }  // namespace
 
-ObliqueFrame::ObliqueFrame(const patch::TexturePlane& plane) : origin(plane.origin) {
-  Eigen::Matrix3d columns;
-  columns << plane.x_axis, plane.y_axis, plane.direction;
-  inverse = columns.inverse();
-}
-
 FaceProjection::FaceProjection(const TopoDS_Face& face, const patch::TexturePlane& plane)
     : frame_(plane),
       plane_(plane),

@@ -19,16 +19,6 @@
 
 namespace patchmill {
 
-/// Coordinates (x, y, depth) with  P = origin + x x_axis + y y_axis + depth direction. The
-/// direction need not be at right angles to the plane.
-struct ObliqueFrame {
-  explicit ObliqueFrame(const patch::TexturePlane& plane);
-  Vec3 coordinates(const Vec3& p) const { return inverse * (p - origin); }
-  Vec3 along(const Vec3& v) const { return inverse * v; }
-  Vec3 origin;
-  Eigen::Matrix3d inverse;
-};
-
 struct Hit {
   patch::SurfacePoint point;
   double depth;  ///< along the direction, from the texture plane [mm]
@@ -64,7 +54,7 @@ class FaceProjection {
   Vec3 normal_of(const SurfaceD1& at) const;
   SurfaceD1 d1(double u, double v, const Worker& worker) const;
 
-  ObliqueFrame frame_;
+  patch::ObliqueFrame frame_;
   patch::TexturePlane plane_;
   BRepAdaptor_Surface surface_;
   std::optional<PolynomialSurface> polynomial_;  // of spline surfaces, for speed

@@ -6,15 +6,11 @@
 #include "patchmill/geometry/stop.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <mutex>
 #include <unordered_map>
 
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 
 namespace patchmill {
 namespace {
@@ -31,8 +27,7 @@ constexpr std::size_t kLook = 16;  // points between looks whether to stop
 
 FaceSampler::FaceSampler(const std::vector<TopoDS_Face>& faces, const patch::TexturePlane& plane,
                          Angle steepest)
-    : plane_(plane), least_cosine_(std::cos(steepest.radians())) {
-  require_in_range("SteepestSlope", steepest.degrees(), 0.01, 89.9, "degrees");
+    : patch::ProjectedSurface(plane, steepest) {
   if (faces.empty()) throw InputError("Base", "no face", "select at least one face.");
   for (const TopoDS_Face& face : faces) {
     if (BRep_Tool::Surface(face).IsNull())
@@ -75,28 +70,14 @@ FaceSampler::~FaceSampler() = default;
 FaceSampler::FaceSampler(FaceSampler&&) noexcept = default;
 FaceSampler& FaceSampler::operator=(FaceSampler&&) noexcept = default;
 
-std::vector<patch::SurfaceSample> FaceSampler::sample(const std::vector<Vec2>& points,
-                                                      const Progress& progress) const {
-  std::vector<patch::SurfaceSample> samples(points.size());
-  std::atomic<bool> stop{false};
-  std::atomic<std::size_t> done{0};
-  std::mutex reporting;
-  const tbb::blocked_range<std::size_t> all(0, points.size(), 2048);
-  patchmill::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& part) {
-    if (stop) return;
-    Workers workers;
-    for (std::size_t i = part.begin(); i < part.end(); ++i) {
-      if (i % kLook == 0) stop_point();
-      const std::optional<Hit> first = first_hit(points[i], workers);
-      if (first) samples[i] = {first->point, state_of(first->point.normal)};
-    }
-    done += part.size();
-    if (!progress) return;
-    const std::lock_guard<std::mutex> lock(reporting);
-    if (!progress(static_cast<double>(done) / static_cast<double>(points.size()))) stop = true;
-  });
-  if (stop) samples.clear();
-  return samples;
+void FaceSampler::sample_run(const Vec2* places, patch::SurfaceSample* samples,
+                             std::size_t count) const {
+  Workers workers;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % kLook == 0) stop_point();
+    const std::optional<Hit> first = first_hit(places[i], workers);
+    if (first) samples[i] = {first->point, state_of(first->point.normal)};
+  }
 }
 
 std::optional<Hit> FaceSampler::first_hit(const Vec2& place, Workers& workers) const {
@@ -111,12 +92,6 @@ std::optional<Hit> FaceSampler::first_hit(const Vec2& place, Workers& workers) c
     }
   }
   return first;
-}
-
-patch::DimpleState FaceSampler::state_of(const Vec3& normal) const {
-  const double cosine = normal.dot(-plane_.direction);
-  if (cosine >= least_cosine_) return patch::DimpleState::Cut;
-  return cosine > 0.0 ? patch::DimpleState::TooSteep : patch::DimpleState::Undercut;
 }
 
 std::pair<Vec2, Vec2> FaceSampler::extent() const {

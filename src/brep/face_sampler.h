@@ -9,10 +9,7 @@
 
 #include "brep/face_bins.h"
 #include "brep/face_projection.h"
-#include "patchmill/geometry/angle.h"
-#include "patchmill/geometry/progress.h"
-#include "patchmill/patch/sampler.h"
-#include "patchmill/patch/texture_plane.h"
+#include "patchmill/patch/projected_surface.h"
 
 #include <memory>
 #include <optional>
@@ -22,36 +19,27 @@
 
 namespace patchmill {
 
-class FaceSampler {
+class FaceSampler : public patch::ProjectedSurface {
  public:
-  /// `steepest`: greatest angle between the normal out of the material and -direction that may be
-  /// cut; in (0, 90) degrees. Errors: InputError naming Base (no face, or a face without a surface)
-  /// or SteepestSlope.
+  /// Errors: InputError naming Base (no face, or a face without a surface) or what ProjectedSurface names.
   FaceSampler(const std::vector<TopoDS_Face>& faces, const patch::TexturePlane& plane,
               Angle steepest);
-  ~FaceSampler();
+  ~FaceSampler() override;
   FaceSampler(FaceSampler&&) noexcept;
   FaceSampler& operator=(FaceSampler&&) noexcept;
 
-  /// Projects points of the texture plane [mm]. Only faces that may lie over a point are tried on it. Sample i
-  /// belongs to point i, whatever the number of threads. Positions are exact to 1e-9 mm along the plane. States: Cut,
-  /// OffFace, TooSteep, Undercut. Returns an empty vector if `progress` asked for a stop.
-  std::vector<patch::SurfaceSample> sample(const std::vector<Vec2>& points,
-                                           const Progress& progress = {}) const;
-
-  /// Rectangle of the texture plane that the faces cover: {least, greatest} coordinates [mm].
-  std::pair<Vec2, Vec2> extent() const;
+  std::pair<Vec2, Vec2> extent() const override;
 
   /// How many points of the last calls needed OpenCASCADE's intersector.
   long fallbacks() const;
 
  private:
-  patch::DimpleState state_of(const Vec3& normal) const;
+  // Only faces that may lie over a place are tried on it. Positions are exact to 1e-9 mm along the plane.
+  void sample_run(const Vec2* places, patch::SurfaceSample* samples,
+                  std::size_t count) const override;
   class Workers;
   std::optional<Hit> first_hit(const Vec2& place, Workers& workers) const;
 
-  patch::TexturePlane plane_;
-  double least_cosine_;
   std::vector<std::unique_ptr<FaceProjection>> faces_;
   FaceBins bins_;
 };

@@ -4,9 +4,7 @@
 
 #include "patchmill/geometry/error.h"
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -14,7 +12,6 @@
 #include <Bnd_Box.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopLoc_Location.hxx>
-#include <fmt/format.h>
 
 namespace patchmill {
 
@@ -45,46 +42,18 @@ std::vector<Vec3> area_vectors(const std::vector<TopoDS_Face>& faces) {
   return vectors;
 }
 
-// Summed vector area, or nothing if it is under 1 % of the area.
-std::optional<Vec3> summed(const std::vector<Vec3>& vectors) {
-  Vec3 sum = Vec3::Zero();
-  double area = 0.0;
-  for (const Vec3& v : vectors) {
-    sum += v;
-    area += v.norm();
-  }
-  if (!(sum.norm() > 0.01 * area)) return std::nullopt;
-  return sum.normalized();
-}
-
 }  // namespace
 
 Vec3 facing(const std::vector<TopoDS_Face>& faces) {
-  const auto sum = summed(area_vectors(faces));
+  const auto sum = patch::summed_normal(area_vectors(faces));
   if (!sum)
     throw InputError("AutoDirection", "true",
                      "the faces look to all sides alike: switch it off and give a direction.");
   return *sum;
 }
 
-SeenBest seen_best(const std::vector<TopoDS_Face>& faces, const Vec3& preferred) {
-  if (!preferred.allFinite() || !(preferred.norm() > 1e-12))
-    throw InputError("Direction",
-                     fmt::format("({}, {}, {})", preferred.x(), preferred.y(), preferred.z()),
-                     "give a finite vector that is not zero.");
-  const std::vector<Vec3> vectors = area_vectors(faces);
-  if (const auto sum = summed(vectors)) return {-*sum, false};
-  const auto seen = [&](const Vec3& direction) {
-    double area = 0.0;
-    for (const Vec3& v : vectors) area += std::max(0.0, -v.dot(direction));
-    return area;
-  };
-  const Vec3 first = preferred.normalized();
-  Vec3 best = first;
-  for (const Vec3& axis : {Vec3(Vec3::UnitZ()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX())})
-    for (const double side : {-1.0, 1.0})
-      if (seen(side * axis) > 1.000001 * seen(best)) best = side * axis;
-  return {seen(first) >= 0.5 * seen(best) ? first : best, true};
+patch::SeenBest seen_best(const std::vector<TopoDS_Face>& faces, const Vec3& preferred) {
+  return patch::seen_best(area_vectors(faces), preferred);
 }
 
 }  // namespace patchmill

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "patchmill/geometry/vec.h"
+#include "patchmill/patch/seen_best.h"
 
 #include <vector>
 
@@ -17,15 +18,7 @@ namespace patchmill {
 /// sphere), so that their areas cancel to under 1 %.
 Vec3 facing(const std::vector<TopoDS_Face>& faces);
 
-/// From where faces are looked at.
-struct SeenBest {
-  Vec3 direction = -Vec3::UnitZ();  ///< unit, towards the faces
-  bool even = false;  ///< whether they look to all sides alike, so that there was a choice
-};
-
-/// Against facing(), if there is such a side. Else `preferred`, if the faces' area seen along it (as if none hid
-/// another) is at least half of what is seen along the best of the six directions of the axes; else that one.
-/// Errors: InputError naming Direction if `preferred` is zero or not finite.
-SeenBest seen_best(const std::vector<TopoDS_Face>& faces, const Vec3& preferred);
+/// As patch::seen_best, of the same mesh. Errors: InputError naming Direction.
+patch::SeenBest seen_best(const std::vector<TopoDS_Face>& faces, const Vec3& preferred);
 
 }  // namespace patchmill

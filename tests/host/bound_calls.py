@@ -88,9 +88,17 @@ call("with_decimal_points", call=dict)
 call("texture_plane", origin=(0.0, 0.0, 10.0), direction=(0.0, 0.0, -1.0), x_hint=(1.0, 0.0, 0.0),
      rotation=0.1)
 call("FaceSampler", breps=[t.FACE], plane=t.plane, steepest=1.2)
-call("FaceSampler.sample", t.sampler.sample, points=ROWS2)
-call("FaceSampler.place", t.sampler.place, division=t.division, plane=t.plane, surface=t.surface,
+call("ProjectedSurface.sample", t.sampler.sample, points=ROWS2)
+call("ProjectedSurface.place", t.sampler.place, division=t.division, plane=t.plane, surface=t.surface,
      lattice=t.lattice)
+call("TriangleMesh", vertices=t.MESH_POINTS, triangles=t.MESH_CORNERS)
+call("TriangleMesh.region", t.mesh.region, seed=1, angle=0.5)
+call("TriangleMesh.nearest", t.mesh.nearest, point=(1.0, 2.0, 3.0))
+call("TriangleMesh.part", t.mesh.part, triangles=np.array([0, 1]))
+call("MeshSurface", mesh=t.mesh, crease=0.5)
+call("MeshSurface.seen_best", t.mesh_surface.seen_best, preferred=(0.0, 0.0, -1.0))
+call("MeshSurface.keep_off_border", on_dimples(t.mesh_surface.keep_off_border), margin=0.1)
+call("MeshSampler", surface=t.mesh_surface, plane=t.plane, steepest=1.2)
 call("facing", breps=[t.FACE])
 call("seen_best", breps=[t.FACE], preferred=(0.0, 0.0, -1.0))
 call("lay_on_faces", pattern=t.pattern, breps=[t.FACE], plane=t.plane, sampler=t.sampler, steepest=1.2,

@@ -113,6 +113,7 @@ call("classify_alignment", places=np.random.default_rng(1).random((30, 2)), feed
      cross_feed=0.5)
 call("dales", heights=np.random.default_rng(2).random((9, 12)), step=(0.1, 0.1), least_depth=0.2)
 call("part_model", breps=[t.BLOCK], deflection=0.1)
+call("part_model_of_mesh", mesh=t.mesh)
 call("PartModel.distances", t.part_model.distances, points=ROWS3)
 call("check_clearance", path=t.path, part=t.part_model, tolerance=0.01, clearance=0.5, resolution=0.01,
      most_findings=100, first_move=0, cutting=True)

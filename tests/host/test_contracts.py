@@ -29,15 +29,15 @@ from taken_values import TAKEN  # noqa: E402
 OPERATORS = ("__init__", "__eq__", "__len__", "__str__", "__getitem__")
 # These calls go on to other functions, which refuse what this one takes, or get a thing that was checked.
 GO_ON = {"PatchSurface", "PhaseRule", "PacedRule", "MotionModel", "Kinematics", "Kinematics.add_rotary",
-         "ProgramForm", "CopyOptions", "MarkWish", "FaceSampler.place", "copy_mill", "constant_feed_path",
-         "paced_path", "MarkWish.state", "advise", "PartModel.distances"}
+         "ProgramForm", "CopyOptions", "MarkWish", "ProjectedSurface.place", "copy_mill",
+         "constant_feed_path", "paced_path", "MarkWish.state", "advise", "PartModel.distances"}
 # The properties of these are places in a text.
 NAME_PLACES = {"read_gcode", "program_lines", "write_program"}
 MOST_MEMORY = 8 << 30  # of addresses: FreeCAD itself takes one or two
 LONGEST = 60  # s, for one call
 # Bad values of these are outcomes: (function, argument) and what becomes of them.
 TAKES_ANY = {
-    ("FaceSampler.sample", "points"): "off the faces",
+    ("ProjectedSurface.sample", "points"): "off the faces",
     ("Mask.at", "places"): "0, or what the image has outside",
     ("SurfaceLattice.places", "points"): "NaN: beyond the lattice's end",
     ("Watch", "progress"): "None: never stops",

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include <TopExp_Explorer.hxx>
+#include <fmt/format.h>
 
 namespace patchmill {
 namespace {
@@ -42,6 +43,20 @@ PartModel part_model(const std::vector<std::string>& breps, double deflection) {
   if (solids.empty() && part.reason.empty()) part.reason = "There is no part.";
   part.known = part.reason.empty();
   if (part.known) part.shape = collision::join(std::move(solids));
+  return part;
+}
+
+PartModel part_model_of_mesh(const mesh::TriangleMesh& given) {
+  PartModel part;
+  const mesh::TriangleMesh mesh = mesh::weld(given);
+  part.triangles = static_cast<std::int64_t>(mesh.triangles.size());
+  try {
+    mesh::require_closed(mesh, "Mesh");
+    part.shape = collision::shape_from_mesh(mesh);
+    part.known = true;
+  } catch (const InputError& e) {
+    part.reason = fmt::format("The mesh is no closed solid ({}).", e.value());
+  }
   return part;
 }
 
@@ -134,6 +149,8 @@ void bind_checks(py::module_& m) {
   m.def("part_model", interruptible(&part_model), py::arg("breps"), py::arg("deflection"),
         "Meshes the solids of shapes given as BREP texts. Raises InputError naming Model or "
         "Deflection.");
+  m.def("part_model_of_mesh", interruptible(&part_model_of_mesh), py::arg("mesh"),
+        "The part as a TriangleMesh; not known if that is not closed. Raises nothing.");
   m.def("check_clearance", &check, py::arg("path"), py::arg("part"), py::arg("tolerance"),
         py::arg("clearance"), py::arg("resolution"), py::arg("most_findings") = 1000,
         py::arg("first_move") = 0, py::arg("cutting") = true, py::arg("progress") = py::none(),

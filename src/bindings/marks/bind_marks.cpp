@@ -1,7 +1,7 @@
 // The cutter-mark simulator for Python: motions, reliefs, the dimples found. Angles in radians.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "brep/face_sampler.h"
+#include "bindings/surfaces.h"
 #include "patchmill/geometry/require.h"
 #include "patchmill/machine/kinematics.h"
 #include "patchmill/marks/alignment.h"
@@ -61,13 +61,12 @@ marks::ToolMotion motion_of_samples(const Eigen::VectorXd& time, const Rows3& ti
 marks::BaseMaker base_maker(const py::object& base, const patch::TexturePlane& plane,
                             double reach) {
   if (base.is_none()) return {};
-  if (!py::isinstance<patch::Dimples>(base) && !py::isinstance<FaceSampler>(base))
-    throw InputError("Base", py::str(base), "give a FaceSampler, Dimples or None.");
+  if (!py::isinstance<patch::Dimples>(base) && !py::isinstance<patch::ProjectedSurface>(base))
+    throw InputError("Base", py::str(base), "give a FaceSampler, a MeshSampler, Dimples or None.");
   if (py::isinstance<patch::Dimples>(base))
     return marks::base_of_patches(base.cast<const patch::Dimples&>(), plane, reach);
-  const FaceSampler* sampler = base.cast<const FaceSampler*>();  // outlives the call
   return marks::base_on(
-      [sampler](const std::vector<Vec2>& places) { return sampler->sample(places); });
+      sampler_of(base.cast<const patch::ProjectedSurface&>()));  // outlives the call
 }
 
 marks::TextureMarks simulate(const marks::ToolMotion& motion, const Tool& tool,
@@ -252,7 +251,8 @@ void bind_marks(py::module_& m) {
         py::arg("base") = py::none(), py::arg("reach") = 1.0, py::arg("helix") = 0.0,
         py::arg("runout") = std::vector<double>{}, py::arg("least_depth") = 0.002,
         py::arg("halo") = 1.0, py::arg("memory_limit") = 4e9, py::arg("progress") = py::none(),
-        "The relief over `low` to `high` of the plane [mm] and its dimples; `base`: a FaceSampler, "
+        "The relief over `low` to `high` of the plane [mm] and its dimples; `base`: a "
+        "ProjectedSurface, "
         "Dimples (the planes of patches), or None (the plane). Raises InputError naming Base, "
         "Reach, HelixAngle, Runout, LeastDepth, Halo, Memory, GridSize, GridStep or Stock.");
   m.def("compare_window", &compare_dict, py::arg("marks"), py::arg("dimples"), py::arg("low"),

@@ -181,7 +181,7 @@ void bind_division(py::module_& m) {
       .def(py::init(&surface_of), py::arg("kind"), py::arg("fit") = "Best fit",
            py::arg("height_factor") = 1.0, py::arg("apex_lift") = 0.0,
            "`kind`: Planar, Pyramid or Curved; `fit`: Best fit or Corners; `apex_lift` [mm]. "
-           "Raises InputError naming SurfaceKind or PlaneFit. FaceSampler.place refuses its "
+           "Raises InputError naming SurfaceKind or PlaneFit. ProjectedSurface.place refuses its "
            "HeightFactor or ApexLift.")
       .def_property_readonly(
           "planar",

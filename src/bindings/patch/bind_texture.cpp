@@ -1,7 +1,7 @@
 // Sizes, masks, lattices on the surface and their measure, for Python.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "brep/face_sampler.h"
+#include "bindings/surfaces.h"
 #include "patchmill/geometry/error.h"
 #include "patchmill/patch/mask.h"
 #include "patchmill/patch/surface_lattice.h"
@@ -22,10 +22,6 @@ patch::Polygon polygon_of(const Points& points) {
   patch::Polygon polygon;
   for (Eigen::Index i = 0; i < points.rows(); ++i) polygon.emplace_back(points.row(i));
   return polygon;
-}
-
-patch::SurfaceSampler sampler_of(const FaceSampler& sampler) {
-  return [&sampler](const std::vector<Vec2>& places) { return sampler.sample(places); };
 }
 
 py::dict size_dict(const std::string& kind, const std::string& shape, double ball_radius,
@@ -127,7 +123,7 @@ void bind_masks(py::module_& m) {
 }
 
 std::optional<patch::SurfaceLattice> lay_lattice(const patch::PatchPattern& pattern,
-                                                 const FaceSampler& sampler,
+                                                 const patch::ProjectedSurface& sampler,
                                                  const patch::TexturePlane& plane,
                                                  const Vec2& start, const Vec2& low,
                                                  const Vec2& high, const py::object& progress) {
@@ -190,7 +186,8 @@ void bind_lattices(py::module_& m) {
         "Raises InputError naming Start, Area or Spacing.");
   m.def(
       "nearest_start",
-      [](const Vec2& wanted, const Vec2& low, const Vec2& high, const FaceSampler& sampler) {
+      [](const Vec2& wanted, const Vec2& low, const Vec2& high,
+         const patch::ProjectedSurface& sampler) {
         return patch::nearest_start(wanted, patch::Box2(low, high), sampler_of(sampler));
       },
       py::arg("wanted"), py::arg("low"), py::arg("high"), py::arg("sampler"),

@@ -1,7 +1,7 @@
 // Matsuda's free form and the advisor for Python. Phases in teeth; mm, mm/s, revolutions per second.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/bindings.h"
-#include "brep/face_sampler.h"
+#include "bindings/surfaces.h"
 #include "patchmill/patch/advisor.h"
 #include "patchmill/patch/ridge.h"
 #include "patchmill/patch/surface_lattice.h"
@@ -79,16 +79,15 @@ py::dict size_dict(const patch::FreePatch& patch, double ball_radius) {
 py::object place_free_texture(const patch::FreePatch& patch, bool outward,
                               const patch::PatchDivision& stands,
                               const patch::SurfaceLattice* lattice,
-                              const patch::TexturePlane& plane, const FaceSampler& sampler,
-                              bool corners_fit, const py::object& progress) {
+                              const patch::TexturePlane& plane,
+                              const patch::ProjectedSurface& sampler, bool corners_fit,
+                              const py::object& progress) {
   std::optional<patch::PlacedFreeTexture> placed;
   const bool done = watched(progress, [&](const Progress& report) {
     const patch::LatticePlace place_of =
         lattice ? lattice->place_of
                 : patch::LatticePlace([&](const Vec2& p) { return patch::place(stands, p); });
-    const patch::SurfaceSampler sample = [&](const std::vector<Vec2>& at) {
-      return sampler.sample(at);
-    };
+    const patch::SurfaceSampler sample = sampler_of(sampler);
     placed = patch::place_free(
         patch, outward ? patch::HelixOrder::Outward : patch::HelixOrder::Inward, stands, place_of,
         plane, sample, corners_fit ? patch::PlaneFit::Corners : patch::PlaneFit::BestFit, report);

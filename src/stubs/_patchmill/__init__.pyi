@@ -32,6 +32,7 @@ from _patchmill.collision import PartModel as PartModel
 from _patchmill.collision import Tessellation as Tessellation
 from _patchmill.collision import check_clearance as check_clearance
 from _patchmill.collision import part_model as part_model
+from _patchmill.collision import part_model_of_mesh as part_model_of_mesh
 from _patchmill.collision import tessellate as tessellate
 from _patchmill.dcm import CopyOptions as CopyOptions
 from _patchmill.dcm import FeedField as FeedField
@@ -106,11 +107,15 @@ from _patchmill.marks import simulate_texture as simulate_texture
 from _patchmill.patch import DimpleState as DimpleState
 from _patchmill.patch import Dimples as Dimples
 from _patchmill.patch import Mask as Mask
+from _patchmill.patch import MeshSampler as MeshSampler
+from _patchmill.patch import MeshSurface as MeshSurface
 from _patchmill.patch import PatchDivision as PatchDivision
 from _patchmill.patch import PatchPattern as PatchPattern
 from _patchmill.patch import PatchSurface as PatchSurface
+from _patchmill.patch import ProjectedSurface as ProjectedSurface
 from _patchmill.patch import SurfaceLattice as SurfaceLattice
 from _patchmill.patch import TexturePlane as TexturePlane
+from _patchmill.patch import TriangleMesh as TriangleMesh
 from _patchmill.patch import cover as cover
 from _patchmill.patch import cover_lattice as cover_lattice
 from _patchmill.patch import curve_mask as curve_mask

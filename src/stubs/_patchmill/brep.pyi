@@ -11,19 +11,10 @@ import numpy
 import numpy.typing
 import _patchmill.patch
 
-class FaceSampler:
+class FaceSampler(_patchmill.patch.ProjectedSurface):
     """Projects points of a texture plane on trimmed faces along its direction."""
     def __init__(self, breps: list[str], plane: _patchmill.patch.TexturePlane, steepest: float) -> None:
         """Faces as BREP texts; `steepest` [rad]: greatest angle of normal and -direction. Raises InputError naming Base or SteepestSlope."""
-        ...
-    def extent(self) -> tuple[typing.Any, ...]:
-        """((x, y) least, (x, y) greatest) that the faces cover in the texture plane [mm]. Raises nothing."""
-        ...
-    def place(self, division: _patchmill.patch.PatchDivision, plane: _patchmill.patch.TexturePlane, surface: _patchmill.patch.PatchSurface, lattice: typing.Optional[_patchmill.patch.SurfaceLattice] = None, progress: object = None) -> typing.Any:
-        """Dimples of the division on the faces, projected or on a lattice laid on them, or None if `progress` returned False. Raises InputError naming HeightFactor or ApexLift."""
-        ...
-    def sample(self, points: numpy.typing.ArrayLike) -> dict[str, typing.Any]:
-        """Projects (n, 2) points; a dict of arrays positions, normals, states (a DimpleState each: CUT, OFF_FACE, TOO_STEEP or UNDERCUT). Raises nothing."""
         ...
 
 class LaidOnFaces:

@@ -9,6 +9,7 @@ import typing
 
 import numpy
 import numpy.typing
+import _patchmill.patch
 import _patchmill.path
 
 class PartModel:
@@ -49,6 +50,9 @@ def check_clearance(path: _patchmill.path.ToolPath, part: PartModel, tolerance: 
     ...
 def part_model(breps: list[str], deflection: float) -> PartModel:
     """Meshes the solids of shapes given as BREP texts. Raises InputError naming Model or Deflection."""
+    ...
+def part_model_of_mesh(mesh: _patchmill.patch.TriangleMesh) -> PartModel:
+    """The part as a TriangleMesh; not known if that is not closed. Raises nothing."""
     ...
 def tessellate(brep: str, deflection: float, angle: float = 0.35) -> Tessellation:
     """A shape, given as BREP text, as one mesh; `deflection` [mm], `angle` [rad]. Raises InputError naming Shape, Deflection or DeflectionAngle."""

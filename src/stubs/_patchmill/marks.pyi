@@ -80,5 +80,5 @@ def path_on_machine(path: _patchmill.path.ToolPath, model: _patchmill.machine.Mo
     """(known, reason why not, the path with the turns that the motion model predicts). Raises nothing."""
     ...
 def simulate_texture(motion: ToolMotion, tool: _patchmill.path.Tool, plane: _patchmill.patch.TexturePlane, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, step: float, stock: float, base: object = None, reach: float = 1.0, helix: float = 0.0, runout: list[float] = ..., least_depth: float = 0.002, halo: float = 1.0, memory_limit: float = 4000000000.0, progress: object = None) -> TextureMarks:
-    """The relief over `low` to `high` of the plane [mm] and its dimples; `base`: a FaceSampler, Dimples (the planes of patches), or None (the plane). Raises InputError naming Base, Reach, HelixAngle, Runout, LeastDepth, Halo, Memory, GridSize, GridStep or Stock."""
+    """The relief over `low` to `high` of the plane [mm] and its dimples; `base`: a ProjectedSurface, Dimples (the planes of patches), or None (the plane). Raises InputError naming Base, Reach, HelixAngle, Runout, LeastDepth, Halo, Memory, GridSize, GridStep or Stock."""
     ...

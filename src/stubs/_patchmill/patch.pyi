@@ -9,7 +9,6 @@ import typing
 
 import numpy
 import numpy.typing
-import _patchmill.brep
 import enum
 
 class DimpleState(enum.IntEnum):
@@ -67,6 +66,35 @@ class Mask:
         """The mask with 1 less each value. Raises nothing."""
         ...
 
+class MeshSampler(ProjectedSurface):
+    """Projects points of a texture plane on a mesh along its direction."""
+    def __init__(self, surface: MeshSurface, plane: TexturePlane, steepest: float) -> None:
+        """`steepest` [rad]: greatest angle of normal and -direction. Raises InputError naming SteepestSlope."""
+        ...
+
+class MeshSurface:
+    """A mesh with smoothed normals and a tree over it, to be projected on."""
+    def __init__(self, mesh: TriangleMesh, crease: float) -> None:
+        """Normals are smoothed over edges whose triangles lie within `crease` [rad] of each other. Raises InputError naming Mesh or Crease."""
+        ...
+    @property
+    def chord_height(self) -> float:
+        """How far a smooth surface with these normals rises over the edges at most [mm]."""
+        ...
+    def keep_off_border(self, dimples: Dimples, margin: float) -> None:
+        """Leaves out dimples nearer than `margin` [mm] to an edge that has one triangle only. Raises InputError naming Margin."""
+        ...
+    @property
+    def normal_deviation(self) -> float:
+        """Greatest angle between a triangle's own normal and a smoothed one [rad]."""
+        ...
+    def seen_best(self, preferred: numpy.typing.ArrayLike) -> tuple[numpy.typing.NDArray[numpy.float64], bool]:
+        """The direction along which it looks largest, and whether it looks to all sides alike, so that `preferred` or an axis was chosen. Raises InputError naming Direction."""
+        ...
+    @property
+    def triangle_count(self) -> int:
+        ...
+
 class PatchDivision:
     """Patches in milling order."""
     def __len__(self) -> int:
@@ -114,11 +142,23 @@ class PatchSurface:
         """Whether kind, fit, factor and lift are the same. Raises nothing."""
         ...
     def __init__(self, kind: str, fit: str = 'Best fit', height_factor: float = 1.0, apex_lift: float = 0.0) -> None:
-        """`kind`: Planar, Pyramid or Curved; `fit`: Best fit or Corners; `apex_lift` [mm]. Raises InputError naming SurfaceKind or PlaneFit. FaceSampler.place refuses its HeightFactor or ApexLift."""
+        """`kind`: Planar, Pyramid or Curved; `fit`: Best fit or Corners; `apex_lift` [mm]. Raises InputError naming SurfaceKind or PlaneFit. ProjectedSurface.place refuses its HeightFactor or ApexLift."""
         ...
     @property
     def planar(self) -> bool:
         """Whether patches are made of planes."""
+        ...
+
+class ProjectedSurface:
+    """What places of a texture plane are projected on along its direction: see FaceSampler and MeshSampler."""
+    def extent(self) -> tuple[typing.Any, ...]:
+        """((x, y) least, (x, y) greatest) that it covers in the texture plane [mm]. Raises nothing."""
+        ...
+    def place(self, division: PatchDivision, plane: TexturePlane, surface: PatchSurface, lattice: typing.Optional[SurfaceLattice] = None, progress: object = None) -> typing.Any:
+        """Dimples of the division on it, projected or on a lattice laid on it, or None if `progress` returned False. Raises InputError naming HeightFactor or ApexLift."""
+        ...
+    def sample(self, points: numpy.typing.ArrayLike) -> dict[str, typing.Any]:
+        """Projects (n, 2) points; a dict of arrays positions, normals, states (a DimpleState each: CUT, OFF_FACE, TOO_STEEP or UNDERCUT). Raises nothing."""
         ...
 
 class SurfaceLattice:
@@ -143,6 +183,32 @@ class TexturePlane:
         ...
     @property
     def y_axis(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+class TriangleMesh:
+    """Triangles over shared vertices, open or closed."""
+    def __init__(self, vertices: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike) -> None:
+        """(n, 3) vertices [mm] and (m, 3) corners, indices of vertices, anticlockwise seen from outside; vertices of equal coordinates are made one. Raises InputError naming Mesh."""
+        ...
+    def __len__(self) -> int:
+        """Number of triangles. Raises nothing."""
+        ...
+    def nearest(self, point: numpy.typing.ArrayLike) -> int:
+        """Number of the triangle nearest to a point [mm]. Raises InputError naming Point."""
+        ...
+    def part(self, triangles: numpy.typing.ArrayLike) -> TriangleMesh:
+        """The mesh of some of its triangles, by number. Raises InputError naming Triangles."""
+        ...
+    def region(self, seed: int, angle: float) -> list[int]:
+        """Numbers of the triangles that are reached from triangle `seed` over edges whose two triangles have normals within `angle` [rad]. Raises InputError naming Seed or Angle."""
+        ...
+    @property
+    def triangles(self) -> numpy.typing.NDArray[numpy.int32]:
+        """Indices into vertices, (m, 3)."""
+        ...
+    @property
+    def vertices(self) -> numpy.typing.NDArray[numpy.float64]:
+        """[mm], (n, 3)."""
         ...
 
 def cover(pattern: PatchPattern, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike) -> PatchDivision:
@@ -175,7 +241,7 @@ def in_rows(dimples: Dimples, pattern: PatchPattern, direction: int, one_way: bo
 def keep_where(dimples: Dimples, division: PatchDivision, lattice: SurfaceLattice, mask: Mask, threshold: float = 0.5) -> None:
     """Leaves out dimples where the mask is below it. Raises InputError naming Threshold."""
     ...
-def lay_lattice(pattern: PatchPattern, sampler: _patchmill.brep.FaceSampler, plane: TexturePlane, start: numpy.typing.ArrayLike, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, progress: object = None) -> typing.Optional[SurfaceLattice]:
+def lay_lattice(pattern: PatchPattern, sampler: ProjectedSurface, plane: TexturePlane, start: numpy.typing.ArrayLike, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, progress: object = None) -> typing.Optional[SurfaceLattice]:
     """The pattern's lattice on the surface over the rectangle from `low` to `high` [mm]: a Chebyshev net for squares, else of low distortion. None if `progress` returned False. Raises InputError naming Start, Area or Spacing."""
     ...
 def least_patch_side(shape: str) -> int:
@@ -187,7 +253,7 @@ def milled_patches(dimples: Dimples) -> list[int]:
 def nearest_row_direction(pattern: PatchPattern, direction: numpy.typing.ArrayLike) -> int:
     """Which of the lattice's steps goes nearest to a direction of the texture plane. Raises InputError naming Direction."""
     ...
-def nearest_start(wanted: numpy.typing.ArrayLike, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, sampler: _patchmill.brep.FaceSampler) -> numpy.typing.NDArray[numpy.float64]:
+def nearest_start(wanted: numpy.typing.ArrayLike, low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, sampler: ProjectedSurface) -> numpy.typing.NDArray[numpy.float64]:
     """The place nearest to `wanted` that can be cut [mm]. Raises InputError naming Start or Area."""
     ...
 def patch_block(pattern: PatchPattern, patches_x: int, patches_y: int) -> PatchDivision:

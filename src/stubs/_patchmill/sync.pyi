@@ -9,7 +9,6 @@ import typing
 
 import numpy
 import numpy.typing
-import _patchmill.brep
 import _patchmill.machine
 import _patchmill.patch
 import _patchmill.path
@@ -113,7 +112,7 @@ def mark_tool_tip_along(dimples: _patchmill.patch.Dimples, axes: numpy.typing.Ar
 def phase_errors(path: _patchmill.path.ToolPath, dimples: _patchmill.patch.Dimples, rule: PhaseRule) -> dict[str, typing.Any]:
     """Spindle angle against contact azimuth at each dimple of the path: arrays and a summary. Raises nothing."""
     ...
-def place_free(patch: FreePatch, outward: bool, stands: _patchmill.patch.PatchDivision, lattice: _patchmill.patch.SurfaceLattice, plane: _patchmill.patch.TexturePlane, sampler: _patchmill.brep.FaceSampler, corners_fit: bool, progress: object = None) -> typing.Any:
+def place_free(patch: FreePatch, outward: bool, stands: _patchmill.patch.PatchDivision, lattice: _patchmill.patch.SurfaceLattice, plane: _patchmill.patch.TexturePlane, sampler: _patchmill.patch.ProjectedSurface, corners_fit: bool, progress: object = None) -> typing.Any:
     """(FreeTexture, Dimples), or None if `progress` returned False. Raises nothing."""
     ...
 def plan_postures(machine: _patchmill.machine.Kinematics, dimples: _patchmill.patch.Dimples, axes: numpy.typing.ArrayLike, decimals: int) -> Postures:
