@@ -23,13 +23,14 @@ class CheckInput:
     """What a check needs of a document, so that the check itself can run in any thread. Lengths in mm."""
 
     path: core.ToolPath  # with its tool; None: not known, for the reason
-    breps: list  # of the job's model
+    breps: list  # of the job's model; none of a mesh
     tolerance: float
     clearance: float
     plan: typing.Any = None  # the PlannedTexture of a texture
     sink: float = 0.0  # how deep another path was planned to lie below the model
     cutting: bool = True  # the cutting end and flutes are looked at too
     reason: str = ""
+    mesh: typing.Any = field(default=None, kw_only=True)  # a _patchmill.TriangleMesh in the place of breps
 
 
 @dataclass
@@ -108,6 +109,14 @@ def run_check(given, path=None, first_move=0, progress=None):
     return _run_check(given, path, first_move, progress) or stopped
 
 
+def _part_of(given):
+    """The _patchmill.PartModel of a CheckInput. Raises InputError naming Model or GougeTolerance."""
+    if given.mesh is not None:
+        return core.part_model_of_mesh(given.mesh)
+    with told_of("GougeTolerance", DEFLECTION):
+        return core.part_model(given.breps, DEFLECTION * given.tolerance)
+
+
 @stoppable
 def _run_check(given, path, first_move, progress):
     """CheckResult, or None if it was stopped."""
@@ -115,8 +124,7 @@ def _run_check(given, path, first_move, progress):
     path = path or given.path
     if path is None:
         return CheckResult(UNKNOWN, given.reason)
-    with told_of("GougeTolerance", DEFLECTION):
-        part = core.part_model(given.breps, DEFLECTION * tolerance)
+    part = _part_of(given)
     sink = _planned_sink(given, part) if part.known else 0.0
     found = core.check_clearance(
         path,

@@ -27,7 +27,7 @@ def drawn(obj):
     shape = own if own is not None else Part.getShape(obj)
     if shape is None or shape.isNull():
         return None
-    around = _placement_around(obj)
+    around = placement_around(obj)
     if around.isIdentity():
         return shape
     shape = shape.copy()
@@ -35,7 +35,12 @@ def drawn(obj):
     return shape
 
 
-def _placement_around(obj):
+def is_mesh(obj):
+    """Whether `obj` is a document object that is one of FreeCAD's meshes."""
+    return hasattr(obj, "isDerivedFrom") and obj.isDerivedFrom("Mesh::Feature")
+
+
+def placement_around(obj):
     """Placement of the body or part that an object is in, of those that this is in, and so on."""
     placement, parent = FreeCAD.Placement(), obj.getParentGeoFeatureGroup()
     while parent is not None:

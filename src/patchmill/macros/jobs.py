@@ -50,7 +50,7 @@ def job(
     work offset, G54 if not given. post: name of a post-processor; if not given, the one for the
     machine's control. Raises InputError naming part, tool, machine or offset."""
     made = host.create_job("Job", [_part_of(part)])
-    values = _tool_values(tool or {})
+    values = tool_values(tool or {})
     host.add_ball_end_controller(
         made,
         values["diameter"],
@@ -165,7 +165,7 @@ def _part_in(document: Any, filename: str) -> Any:
     return whole[0]
 
 
-def _tool_values(tool: Dict[str, Any]) -> Dict[str, Any]:
+def tool_values(tool: Dict[str, Any]) -> Dict[str, Any]:
     for name in tool:
         if name not in TOOL:
             raise InputError("tool", name, "a tool has: %s." % ", ".join(TOOL))

@@ -9,6 +9,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
+from patchmill.geometry import faces_or_mesh
 from patchmill.system import memory
 from patchmill.textures import masks
 
@@ -25,13 +26,13 @@ def _direction(given, remarks):
     sides alike are projected on as given, or, if little of them is seen so, from the side that shows most."""
     if not given.auto_direction:
         return given.direction
-    found = core.seen_best(given.breps, given.direction)
-    if found["even"]:
+    direction, even = faces_or_mesh.seen_best(given)
+    if even:
         remarks.append(
             "The faces look to all sides alike: they are projected on along (%.4g, %.4g, %.4g)."
-            % tuple(found["direction"])
+            % tuple(direction)
         )
-    return tuple(found["direction"])
+    return tuple(direction)
 
 
 def _plane(given, origin, direction):
@@ -44,16 +45,15 @@ def sampler_on(given, remarks):
     """The texture plane, with its origin as given or in the middle of the faces; the sampler on it; and
     the rectangle that the faces cover there, as its least and greatest corner. What is decided for the user
     is appended to `remarks`, a list of sentences."""
-    steepest = radians(given.steepest_slope)
     direction = _direction(given, remarks)
     plane = _plane(given, given.origin or (0.0, 0.0, 0.0), direction)
-    sampler = core.FaceSampler(given.breps, plane, steepest)
+    sampler = faces_or_mesh.sampler(given, plane)
     low, high = sampler.extent()
     if given.origin is None:
         middle = 0.5 * (low + high)
         origin = plane.origin + middle[0] * plane.x_axis + middle[1] * plane.y_axis
         plane = _plane(given, origin, direction)
-        sampler = core.FaceSampler(given.breps, plane, steepest)
+        sampler = faces_or_mesh.sampler(given, plane)
         low, high = low - middle, high - middle
     return plane, sampler, low, high
 
@@ -284,6 +284,6 @@ def _look_aside(given):
     """Whether faces without a dimple look largest from 60 degrees or more beside the projection."""
     if given.auto_direction:
         return False
-    best = core.seen_best(given.breps, given.direction)["direction"]
+    best, _ = faces_or_mesh.seen_best(given)
     cosine = np.dot(best, given.direction) / np.linalg.norm(given.direction)
     return cosine < 0.5

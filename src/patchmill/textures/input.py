@@ -16,12 +16,13 @@ from patchmill.textures.strategy import table
 class TextureInput:
     """What a texture is made from. Lengths in mm, angles in degrees, feed in mm/s."""
 
-    breps: list  # BREP texts of faces; those in one text share their edges
+    breps: list  # BREP texts of faces; those in one text share their edges; none on a mesh
     tool: core.BallEndMill
     spindle: core.Spindle
     feed: float
     safe_height: float
     clearance_height: float
+    mesh: core.MeshSurface = field(default=None, kw_only=True)  # in the place of faces
     heights_follow: bool = field(default=False, kw_only=True)  # they are not the user's own: see heights
     surface: core.PatchSurface = field(default_factory=lambda: core.PatchSurface("Curved"))
     # sizes: give what is known, 0 for the rest; in a plan `spacing` is the one that was found

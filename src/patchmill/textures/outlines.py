@@ -3,10 +3,10 @@
 SPDX-License-Identifier: LGPL-2.1-or-later
 """
 
-from math import radians
-
 import _patchmill as core
 import numpy as np
+
+from patchmill.geometry import faces_or_mesh
 
 
 def outlines_on_faces(placed, pieces=8):
@@ -18,7 +18,7 @@ def outlines_on_faces(placed, pieces=8):
     points = np.concatenate(flat)
     known = np.isfinite(points).all(axis=1)
     given = placed.input
-    sampler = core.FaceSampler(given.breps, placed.plane, radians(given.steepest_slope))
+    sampler = faces_or_mesh.sampler(given, placed.plane)
     hits = sampler.sample(points[known])
     lift = 0.2 * given.spacing  # above the host's own, coarser triangles of the face
     found = hits["positions"] + lift * hits["normals"]

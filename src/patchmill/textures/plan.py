@@ -14,6 +14,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
+from patchmill.geometry import faces_or_mesh
 from patchmill.machine import machines, machining_time
 from patchmill.textures import division, free_form, heights, laid, masks, strategies, tool_posture
 from patchmill.textures.ball import laying as balls
@@ -146,6 +147,7 @@ def place_texture(given, progress=None, to_plan=False):
     """PlacedTexture of a TextureInput, or None if `progress` (share -> bool) returned False. `to_plan`: its
     path will be planned, and the memory for that is foreseen. Raises InputError naming the property that is
     wrong."""
+    faces_or_mesh.require_possible(given)
     if threads.is_thread(given):
         return PlacedTexture(asked=given, **threads.place(given))
     if balls.is_ball(given):
@@ -157,7 +159,7 @@ def place_texture(given, progress=None, to_plan=False):
     if fields is None:
         return None
     placed = PlacedTexture(asked=given, **fields)
-    core.keep_off_borders(placed.dimples, given.breps, given.margin)
+    faces_or_mesh.keep_off_border(given, placed.dimples)
     if given.mask:
         _apply_mask(placed)
     if not tool_posture.field_ready(given, _share(progress, 0.0, 0.0)):

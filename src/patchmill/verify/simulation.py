@@ -19,6 +19,7 @@ import _patchmill as core
 import numpy as np
 from _patchmill import InputError
 
+from patchmill.geometry import faces_or_mesh
 from patchmill.operations.computed import planned
 from patchmill.textures.ball import relief as ball_relief
 from patchmill.textures.plan import PlannedTexture
@@ -222,7 +223,7 @@ def _base(plan):
     given = plan.input
     if given.surface.planar:
         return plan.dimples, given.spacing
-    return core.FaceSampler(given.breps, plan.plane, math.radians(given.steepest_slope)), 1.0
+    return faces_or_mesh.sampler(given, plan.plane), 1.0
 
 
 def _stock(plan):
