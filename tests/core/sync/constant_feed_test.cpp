@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <tbb/global_control.h>
 
 namespace patchmill::sync {
 namespace {
@@ -84,6 +85,31 @@ TEST(ConstantFeed, PhaseHoldsOverTenThousandDimples) {
     // no growth: the drift over all dimples is far below the bound
     EXPECT_LT(std::abs(Angle::radians(s.drift_per_dimple).degrees()) * double(errors.size()),
               0.05 * c.bound);
+  }
+}
+
+// Batches are planned while those before them are taken, in memory that they share in turn: whatever their number, and
+// however full the last one is, the path is the one of a single thread.
+TEST(ConstantFeed, IsThatOfOneThreadForAnyNumberOfDimples) {
+  for (const std::size_t count : {600, 1023, 1024, 1025, 2500, 9000}) {
+    const patch::Dimples some(whole_surface().begin(),
+                              whole_surface().begin() + static_cast<std::ptrdiff_t>(count));
+    const auto planned = [&] {
+      return constant_feed_path(some, kTool, kM3, paper_rule(), Decimals(3)).moves;
+    };
+    const auto serial = [&] {
+      const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+      return planned();
+    }();
+    const int times = count < 2000 ? 60 : 8;
+    for (int time = 0; time < times; ++time) {
+      const std::vector<Move> moves = planned();
+      ASSERT_EQ(moves.size(), serial.size()) << count << " dimples, time " << time;
+      for (std::size_t i = 0; i < moves.size(); ++i) {
+        ASSERT_EQ(moves[i].end.tip, serial[i].end.tip) << count << " dimples, move " << i;
+        ASSERT_EQ(moves[i].dimple, serial[i].dimple) << count << " dimples, move " << i;
+      }
+    }
   }
 }
 

@@ -38,10 +38,9 @@ bool is_cut(const patch::Dimple& dimple) {
 
 using Range = tbb::blocked_range<std::size_t>;
 
-// A batch under way, of which dimples it is, and the error that ended it, which is told in the batch's turn. Its memory
-// serves one batch after the other.
+// A batch under way, and the error that ended it, which is told in the batch's turn. Its memory serves one batch after
+// the other.
 struct Work {
-  Range range{0, 0};
   PlannedBatch batch;
   std::exception_ptr trouble;
 
@@ -54,10 +53,15 @@ struct Work {
   }
 };
 
-void plan(const patch::Dimples& dimples, const Tool& tool, const Spindle& spindle,
-          const PhaseRule& rule, const Decimals& decimals, Work& work) {
+// Dimples, and the batch that they are planned in.
+struct Piece {
+  Range range{0, 0};
+  Work* work = nullptr;
+};
+
+void plan(const patch::Dimples& dimples, const Range& range, const Tool& tool,
+          const Spindle& spindle, const PhaseRule& rule, const Decimals& decimals, Work& work) {
   work.clear();
-  const Range& range = work.range;
   work.batch.planned.reserve(range.size());
   work.batch.turns.reserve(range.size());
   std::size_t before = range.begin();
@@ -95,23 +99,21 @@ void in_batches(const patch::Dimples& dimples, const Tool& tool, const Spindle& 
   std::array<Work, kUnderWay> works;
   std::size_t next = 0;
   const auto begin = [&](tbb::flow_control& flow) {
-    Work& work = works[next / kBatch % kUnderWay];
-    if (next == dimples.size()) {  // this is the last batch, which is under way
-      flow.stop();
-      return &work;
-    }
-    work.range = Range(next, std::min(next + kBatch, dimples.size()));
-    next = work.range.end();
-    return &work;
+    const Piece piece{Range(next, std::min(next + kBatch, dimples.size())),
+                      &works[next / kBatch % kUnderWay]};
+    if (piece.range.empty()) flow.stop();  // its memory may still be that of the last batch
+    next = piece.range.end();
+    return piece;
   };
-  const auto work_on = [&](Work* work) {
+  const auto work_on = [&](const Piece& piece) {
+    Work& work = *piece.work;
     try {
-      plan(dimples, tool, spindle, rule, decimals, *work);
-      prepare(work->batch);
+      plan(dimples, piece.range, tool, spindle, rule, decimals, work);
+      prepare(work.batch);
     } catch (const InputError&) {
-      work->trouble = std::current_exception();
+      work.trouble = std::current_exception();
     }
-    return work;
+    return piece.work;
   };
   const auto hand_on = [&](const Work* work) {
     if (!work->batch.planned.empty()) take(work->batch);
@@ -119,8 +121,8 @@ void in_batches(const patch::Dimples& dimples, const Tool& tool, const Spindle& 
   };
   using tbb::filter_mode;
   tbb::parallel_pipeline(kUnderWay,
-                         tbb::make_filter<void, Work*>(filter_mode::serial_in_order, begin) &
-                             tbb::make_filter<Work*, Work*>(filter_mode::parallel, work_on) &
+                         tbb::make_filter<void, Piece>(filter_mode::serial_in_order, begin) &
+                             tbb::make_filter<Piece, Work*>(filter_mode::parallel, work_on) &
                              tbb::make_filter<Work*, void>(filter_mode::serial_in_order, hand_on));
 }
 
