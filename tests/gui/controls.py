@@ -62,9 +62,9 @@ class Controls(driver.BlockTest):
         """Touches a control so that its value stays: a list is opened and left, a field is left by Tab."""
         hands.show(control)
         if isinstance(control, QtGui.QComboBox) and control.count():
-            view = hands.open_list(control)
+            hands.open_list(control)
             hands.press("Escape")
-            self.assertTrue(driver.wait(lambda: not view.isVisible(), 10), control.objectName())
+            self.assertTrue(driver.wait(lambda: not control.view().isVisible(), 10), control.objectName())
         elif isinstance(control, QtGui.QComboBox):
             hands.click(control)
         elif isinstance(control, FIELDS):

@@ -121,20 +121,20 @@ def show(widget):
 
 
 def open_list(box):
-    """Opens the list of a combo box by a click, and returns its view; clicks again where rows that came or
-    went meanwhile took the box from under the pointer."""
-    view = box.view()
+    """Opens the list of a combo box by a click; clicks again where rows that came or went meanwhile took the
+    box from under the pointer."""
     for _ in range(3):
         show(box)
         click(box)
-        if driver.wait(view.isVisible, 3):
-            return view
+        if driver.wait(lambda: box.view().isVisible(), 3):
+            return
     raise AssertionError("the list of %s does not open" % (box.objectName() or box))
 
 
 def choose(box, text):
     """Opens a combo box by a click, and clicks on the entry that reads `text`."""
-    view = open_list(box)
+    open_list(box)
+    view = box.view()
     row = box.findText(text)
     assert row >= 0, "no %r among %s" % (text, [box.itemText(i) for i in range(box.count())])
     driver.rest(0.3)  # a list that has just opened takes no click
