@@ -29,6 +29,7 @@ from test_axis_field import add_dressup, textured_job  # noqa: E402
 from test_copy_milling import job_with_stock  # noqa: E402
 from test_strategies import locked_job  # noqa: E402
 from test_ball import ball  # noqa: E402
+from test_meshes import block_of, mesh_of, wavy_face, write_stl  # noqa: E402
 from test_thread import roller  # noqa: E402
 
 spec = importlib.util.spec_from_file_location("blocks", HERE.parent / "docs" / "blocks.py")
@@ -44,6 +45,12 @@ def tilted(kept, size=(5, 6, 7)):
     turn = FreeCAD.Rotation(mean, V(0.3, 0, 1))
     box.Placement = FreeCAD.Placement(V(), turn)
     return box
+
+
+def mesh_file():
+    """A block as an STL file in the working folder."""
+    write_stl("block.stl", *block_of(*mesh_of(wavy_face(), 0.5)))
+    return {}
 
 
 def job_over(shape):
@@ -166,6 +173,7 @@ PAGES = {
     "matsuda-condition": [(lambda: {"patchmill": patchmill}, "p.feed > 0.0")],
     "patch-division": [(lambda: job_over(tilted([1, 4])), "op.DimpleCount > 20")],
     "balls": [(golf_ball, "result.extra == 0 and op.Verdict.startswith('Holds')")],
+    "meshes": [(mesh_file, "made.check.clear and os.path.getsize('block.ngc') > 1000")],
     "thread": [(shaft, "result.missing == 0 and op.Verdict.startswith('Holds')")],
     "rows": [(locked, "patchmill.recompute(op).counts['cut'] > 50")],
 }

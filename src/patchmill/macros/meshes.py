@@ -21,7 +21,6 @@ from patchmill.geometry import mesh_parts
 from patchmill.macros.jobs import tool_values
 from patchmill.path.read_text import path_of, text_of
 from patchmill.system import files
-from patchmill.system.stops import stoppable
 from patchmill.textures.input import TextureInput
 from patchmill.textures.plan import PlannedTexture, plan_texture
 from patchmill.verify import posted_texture
@@ -57,7 +56,6 @@ class MeshTexture:
         return "\n".join(lines + list(self.plan.remarks))
 
 
-@stoppable
 def mesh_texture(
     part: Any,
     program: Optional[str] = None,
@@ -106,7 +104,7 @@ def _input(whole: Any, surface: Any, tool: Dict[str, Any], kind: str, values: Di
             raise InputError(name, repr(values[name]), "a texture on a mesh has no such value.")
     cutter = tool_values(tool)
     top = float(whole.vertices[:, 2].max())
-    heights = {"safe_height": top + SAFE, "clearance_height": top + CLEAR}
+    heights: Dict[str, Any] = {"safe_height": top + SAFE, "clearance_height": top + CLEAR}
     spindle = core.Spindle(cutter["speed"] / 60.0, "M3" if cutter["direction"] == "Forward" else "M4")
     return TextureInput(
         breps=[],
