@@ -10,6 +10,7 @@ import FreeCADGui
 from _patchmill import InputError
 from patchmill.freecad import host, kinds
 from patchmill.freecad.translate import QT_TRANSLATE_NOOP
+from patchmill.geometry import shapes
 from patchmill.operations import quick_setup
 from PySide import QtGui
 
@@ -26,6 +27,7 @@ class TextureCommand(MakingCommand):
     def make(self):
         found = selected_faces()
         if found is None:
+            _refuse_meshes()
             raise InputError(
                 translate("PatchMill", "Selection"),
                 translate("PatchMill", "no face"),
@@ -36,6 +38,21 @@ class TextureCommand(MakingCommand):
         operation = quick_setup.texture(module, self.OPERATION, *found)
         operation.ViewObject.Proxy.fresh = True
         return operation
+
+
+def _refuse_meshes():
+    """Raises InputError naming the selection if a mesh is in it: a job's operations are made on faces."""
+    for obj in FreeCADGui.Selection.getSelection():
+        if shapes.is_mesh(obj):
+            raise InputError(
+                translate("PatchMill", "Selection"),
+                translate("PatchMill", "the mesh {}").format(obj.Label),
+                translate(
+                    "PatchMill",
+                    "it has no faces for a job. In FreeCAD's Python console patchmill.mesh_texture makes a "
+                    "program for it.",
+                ),
+            )
 
 
 class PlanarTexture(TextureCommand):
