@@ -10,10 +10,11 @@ TAKEN = [
      "* low, * high, make_path start, texture_plane origin, lay_lattice start, nearest_start wanted, "
      "SurfaceLattice.counted_from flat, Kinematics lowest, Kinematics highest, Kinematics work_zero, "
      "Kinematics.add_rotary point, Kinematics.in_work_frame linear, Kinematics.pivot_referred point, "
-     "VoxelGrid.section place"),
+     "VoxelGrid.section place, TriangleMesh.nearest point"),
     ("a corner that is cut off at the faces', or a limit that is never reached", "huge", "* high"),
     ("a direction counts, not its length", "negative huge",
-     "seen_best preferred, nearest_row_direction direction, mark_tool_tip axis, tilts axis, "
+     "seen_best preferred, MeshSurface.seen_best preferred, nearest_row_direction direction, "
+     "mark_tool_tip axis, tilts axis, "
      "Kinematics.contact_azimuth normal, Kinematics.solve_axis axis, tool_axes axis, tool_axes towards, "
      "VoxelGrid.section direction, feed_at direction"),
     ("likewise; too long a one is refused", "negative",
@@ -36,9 +37,11 @@ TAKEN = [
     ("whole units are posted", "zero", "* decimals, write_program precision"),
     ("exactly, or nothing at all is allowed or blended", "zero",
      "match_plan tolerance, MotionModel tolerance, axes_by_row tolerance, check_clearance tolerance, "
-     "check_clearance clearance, * pole_tolerance, ProgramForm chord_clear, steady_posture crease"),
+     "check_clearance clearance, * pole_tolerance, ProgramForm chord_clear, steady_posture crease, "
+     "TriangleMesh.region angle, MeshSurface crease"),
     ("nothing is left out by it", "zero",
-     "keep_apart least, drop_slivers least, keep_off_borders margin, keep_where threshold, set_depth least, "
+     "keep_apart least, drop_slivers least, keep_off_borders margin, MeshSurface.keep_off_border margin, "
+     "keep_where threshold, set_depth least, "
      "tool_axes least_lead, simulate_texture least_depth, simulate_texture halo, dales least_depth"),
     ("a depth, allowance, overlap, step, shift, time, length or ridge of nothing", "zero",
      "sink depth, set_depth depth_at_0, set_depth depth_at_1, image_mask outside, CopyOptions allowance, "
@@ -51,7 +54,8 @@ TAKEN = [
      "simulate_texture stock"),
     ("the first of things that are counted from 0, or none of them", "zero",
      "ProgramSection.part first, ProgramSection.part end, free_form_phases patch, in_rows direction, "
-     "start_phase best_dimple, * axis, TextureMarks.surface row, TextureMarks.surface column, "
+     "start_phase best_dimple, * axis, TriangleMesh.region seed, "
+     "TextureMarks.surface row, TextureMarks.surface column, "
      "check_clearance most_findings, check_clearance first_move, path_axis_display most, "
      "Display.chunk number"),
     ("as many as there are, or modulo the period; first_move beyond the path: the outcome is unknown", "huge",
@@ -69,7 +73,9 @@ TAKEN = [
     ("a size whose results are finite; what it is used with sets the limit, by name", "huge",
      "BallEndMill radius, Spindle speed, make_path turns, with_turns turns, posted_feed feed, "
      "Tool.scallop_height cross_feed, "
-     "PatchPattern spacing, keep_off_borders margin, nearest_start wanted, "
+     "PatchPattern spacing, keep_off_borders margin, MeshSurface.keep_off_border margin, "
+     "nearest_start wanted, "
+     "TriangleMesh.nearest point, "
      "SurfaceLattice.counted_from flat, texture_size spacing, texture_size ball_radius, "
      "FreePatch cross_feed, FreePatch feed_per_tooth, FreePatch.size ball_radius, * clearance_height, "
      "MarkWish spindle_speed, MarkWish.state spindle_speed, constant_feed_path feed, fit_to_stops feed, "

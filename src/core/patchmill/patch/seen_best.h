@@ -16,8 +16,8 @@ struct SeenBest {
   bool even = false;  ///< whether it looks to all sides alike, so that there was a choice
 };
 
-/// Unit vector of the summed vector area ∫ n dA, n out of the material, of pieces of a surface [mm²]; nothing if they
-/// cancel to under 1 % of the area (a whole cylinder, a sphere).
+/// Unit vector of the summed vector area of pieces of a surface [mm²], out of the material; nothing if they cancel to
+/// under 1 % of the area (a whole cylinder, a sphere).
 std::optional<Vec3> summed_normal(const std::vector<Vec3>& area_vectors);
 
 /// Against summed_normal(), if there is one. Else `preferred`, if the area seen along it (as if nothing hid anything)
