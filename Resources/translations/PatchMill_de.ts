@@ -8,7 +8,7 @@
         <translation>Abstand benachbarter Mulden; 0: aus den anderen Größen</translation>
     </message>
     <message>
-        <source>Overlapping: the dimples' bottoms are the faces; isolated: the faces stay between dimples</source>
+        <source>Overlapping: the dimples&apos; bottoms are the faces; isolated: the faces stay between dimples</source>
         <translation>Überlappend: der Grund der Mulden ist die Fläche; einzeln: die Fläche bleibt zwischen den Mulden stehen</translation>
     </message>
     <message>
@@ -16,7 +16,7 @@
         <translation>Tiefe der Mulden; 0: aus den anderen Größen</translation>
     </message>
     <message>
-        <source>Diameter of a dimple's rim; 0: from the other sizes</source>
+        <source>Diameter of a dimple&apos;s rim; 0: from the other sizes</source>
         <translation>Durchmesser des Randes einer Mulde; 0: aus den anderen Größen</translation>
     </message>
     <message>
@@ -60,7 +60,7 @@
         <translation>Zeilen laufen über die ganze Fläche, über die Grenzen der Felder hinweg, oder innerhalb jedes Felds</translation>
     </message>
     <message>
-        <source>Direction of the lattice that rows go along: the one of the least time (each is planned), the one nearest to the texture's X or Y, or the one along which the faces bend least</source>
+        <source>Direction of the lattice that rows go along: the one of the least time (each is planned), the one nearest to the texture&apos;s X or Y, or the one along which the faces bend least</source>
         <translation>Richtung des Gitters, der die Zeilen folgen: die mit der kürzesten Zeit (jede wird geplant), die nächste zu X oder Y der Textur, oder die, entlang der sich die Flächen am wenigsten krümmen</translation>
     </message>
     <message>
@@ -136,7 +136,7 @@
         <translation>Breite des Bilds auf der Ebene der Textur; 0: so groß, wie es auf die Flächen passt</translation>
     </message>
     <message>
-        <source>Centre of the picture from the texture's own, along its X and Y</source>
+        <source>Centre of the picture from the texture&apos;s own, along its X and Y</source>
         <translation>Mitte des Bilds von der der Textur aus, entlang ihrer X- und Y-Richtung</translation>
     </message>
     <message>
@@ -152,7 +152,7 @@
         <translation>Tiefe der Mulden, wo es weiß ist</translation>
     </message>
     <message>
-        <source>How the spindle's phase is kept</source>
+        <source>How the spindle&apos;s phase is kept</source>
         <translation>Wie die Phase der Spindel gehalten wird</translation>
     </message>
     <message>
@@ -172,7 +172,7 @@
         <translation>So weit müssen Schaft und Halter vom Modell entfernt bleiben</translation>
     </message>
     <message>
-        <source>How far the tool stands out of its holder; 0: the tool bit's length</source>
+        <source>How far the tool stands out of its holder; 0: the tool bit&apos;s length</source>
         <translation>Wie weit das Werkzeug aus dem Halter ragt; 0: die Länge des Werkzeugs</translation>
     </message>
     <message>
@@ -212,7 +212,7 @@
         <translation>Richtung, zu der statt zum Vorschub geneigt wird; null: der Vorschub</translation>
     </message>
     <message>
-        <source>DCM modifier whose voxel model gives the axes; none: the job's stock less its model</source>
+        <source>DCM modifier whose voxel model gives the axes; none: the job&apos;s stock less its model</source>
         <translation>DCM-Modifikator, dessen Voxelmodell die Achsen gibt; keiner: das Rohteil des Auftrags ohne sein Modell</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@
         <translation>Kante eines Voxels, wenn kein Modifikator genannt ist</translation>
     </message>
     <message>
-        <source>By how much an axis may be drawn towards its neighbours'</source>
+        <source>By how much an axis may be drawn towards its neighbours&apos;</source>
         <translation>Um wie viel eine Achse zu denen ihrer Nachbarn gezogen werden darf</translation>
     </message>
     <message>
@@ -236,7 +236,7 @@
         <translation>Ob die Steuerung die Werkzeugspitze führt (TCP), oder das Programm auf die Drehpunkte bezogen ist</translation>
     </message>
     <message>
-        <source>Length from the spindle's gauge point to the tip, for tilting heads without TCP</source>
+        <source>Length from the spindle&apos;s gauge point to the tip, for tilting heads without TCP</source>
         <translation>Länge vom Bezugspunkt der Spindel zur Spitze, für Schwenkköpfe ohne TCP</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>Je Mulde hinzugefügter Winkel, zum Kalibrieren</translation>
     </message>
     <message>
-        <source>Decimals of the posted coordinates; must be the post's own</source>
+        <source>Decimals of the posted coordinates; must be the post&apos;s own</source>
         <translation>Nachkommastellen der ausgegebenen Koordinaten; es müssen die des Postprozessors sein</translation>
     </message>
     <message>
@@ -264,7 +264,7 @@
         <translation>Größter Phasenfehler des ausgegebenen Programms</translation>
     </message>
     <message>
-        <source>Each patch's plane fits its dimples on the faces best, or goes through its corners there</source>
+        <source>Each patch&apos;s plane fits its dimples on the faces best, or goes through its corners there</source>
         <translation>Die Ebene jedes Felds passt am besten zu seinen Mulden auf den Flächen, oder geht dort durch seine Ecken</translation>
     </message>
     <message>
@@ -280,7 +280,7 @@
         <translation>Abstand benachbarter Bahnen</translation>
     </message>
     <message>
-        <source>Distance of marks along the path; 0: from the tool controller's feed and spindle speed</source>
+        <source>Distance of marks along the path; 0: from the tool controller&apos;s feed and spindle speed</source>
         <translation>Abstand der Spuren entlang der Bahn; 0: aus Vorschub und Drehzahl der Werkzeugsteuerung</translation>
     </message>
     <message>
@@ -308,7 +308,7 @@
         <translation>Abstand der Schichten</translation>
     </message>
     <message>
-        <source>The last pass's; 0: as the others'</source>
+        <source>The last pass&apos;s; 0: as the others&apos;</source>
         <translation>Der des letzten Durchgangs; 0: wie die anderen</translation>
     </message>
     <message>
@@ -328,7 +328,7 @@
         <translation>Kante eines Voxels</translation>
     </message>
     <message>
-        <source>Feed at the product's surface, V_Lo</source>
+        <source>Feed at the product&apos;s surface, V_Lo</source>
         <translation>Vorschub an der Oberfläche des Produkts, V_Lo</translation>
     </message>
     <message>
@@ -344,8 +344,8 @@
         <translation>Steil nach unten gehende Wege werden nie schneller</translation>
     </message>
     <message>
-        <source>Other materials in the stock: 'name factor where', a factor on the feed, and a depth in mm below the stock's surface or the name of a solid</source>
-        <translation>Andere Werkstoffe im Rohteil: 'Name Faktor wo', ein Faktor für den Vorschub, und eine Tiefe in mm unter der Oberfläche des Rohteils oder der Name eines Körpers</translation>
+        <source>Other materials in the stock: &apos;name factor where&apos;, a factor on the feed, and a depth in mm below the stock&apos;s surface or the name of a solid</source>
+        <translation>Andere Werkstoffe im Rohteil: &apos;Name Faktor wo&apos;, ein Faktor für den Vorschub, und eine Tiefe in mm unter der Oberfläche des Rohteils oder der Name eines Körpers</translation>
     </message>
     <message>
         <source>Whether the values at the skin of the stock are held, or are only where diffusion begins</source>
@@ -376,7 +376,7 @@
         <translation>Größter Winkel der Werkzeugstellung um X und um Y</translation>
     </message>
     <message>
-        <source>Interpolate between voxels, or take each voxel's value (the paper's staircase)</source>
+        <source>Interpolate between voxels, or take each voxel&apos;s value (the paper&apos;s staircase)</source>
         <translation>Zwischen Voxeln interpolieren, oder den Wert jedes Voxels nehmen (die Treppe der Veröffentlichung)</translation>
     </message>
     <message>
@@ -384,7 +384,7 @@
         <translation>Wo die Voxel gelesen werden</translation>
     </message>
     <message>
-        <source>Of a move's feed from the field's</source>
+        <source>Of a move&apos;s feed from the field&apos;s</source>
         <translation>Des Vorschubs eines Wegs von dem des Felds</translation>
     </message>
     <message>
@@ -396,8 +396,8 @@
         <translation>Name der Maschinendatei; leer: keine Grenzen</translation>
     </message>
     <message>
-        <source>Frusta of shank and holder: 'from to diameter diameter', heights above the tip in mm</source>
-        <translation>Kegelstümpfe von Schaft und Halter: 'von bis Durchmesser Durchmesser', Höhen über der Spitze in mm</translation>
+        <source>Frusta of shank and holder: &apos;from to diameter diameter&apos;, heights above the tip in mm</source>
+        <translation>Kegelstümpfe von Schaft und Halter: &apos;von bis Durchmesser Durchmesser&apos;, Höhen über der Spitze in mm</translation>
     </message>
     <message>
         <source>That is kept between holder and part</source>
@@ -436,7 +436,7 @@
         <translation>Tiefe der Mulden</translation>
     </message>
     <message>
-        <source>Diameter of a dimple's rim</source>
+        <source>Diameter of a dimple&apos;s rim</source>
         <translation>Durchmesser des Randes einer Mulde</translation>
     </message>
     <message>
@@ -476,7 +476,7 @@
         <translation>Größter Winkel der Gitterrichtungen, gemessen</translation>
     </message>
     <message>
-        <source>Milled dimples, each worth a cell of the lattice, over the faces' area; 0: not known</source>
+        <source>Milled dimples, each worth a cell of the lattice, over the faces&apos; area; 0: not known</source>
         <translation>Gefräste Mulden, jede eine Zelle des Gitters wert, durch den Inhalt der Flächen; 0: nicht bekannt</translation>
     </message>
     <message>
@@ -520,7 +520,7 @@
         <translation>Wege mit eigener Zeit</translation>
     </message>
     <message>
-        <source>The base operation's, in seconds</source>
+        <source>The base operation&apos;s, in seconds</source>
         <translation>Die der Grundoperation, in Sekunden</translation>
     </message>
     <message>
@@ -588,7 +588,7 @@
         <translation>Größte am Werkzeug in einer Umdrehung, in N; 0: keine Grenze</translation>
     </message>
     <message>
-        <source>Power at the tool's edges, in W; 0: no limit</source>
+        <source>Power at the tool&apos;s edges, in W; 0: no limit</source>
         <translation>Leistung an den Schneiden, in W; 0: keine Grenze</translation>
     </message>
     <message>
@@ -612,7 +612,7 @@
         <translation>Am Werkzeug in einer Umdrehung, in N; 0: keine Grenze der Belastung</translation>
     </message>
     <message>
-        <source>At the tool's edges, in W; 0: no limit of the load</source>
+        <source>At the tool&apos;s edges, in W; 0: no limit of the load</source>
         <translation>An den Schneiden, in W; 0: keine Grenze der Belastung</translation>
     </message>
     <message>
@@ -624,7 +624,7 @@
         <translation>Feld für Feld entlang von Spiralen fräsen, in Zeilen des Gitters, oder rund um einen Zylinder entlang eines einzigen Gewindegangs, während ein Drehtisch ihn dreht</translation>
     </message>
     <message>
-        <source>Projected: spacing kept as seen along the projection; on surface: kept along the faces; ball: a lattice that is a sphere's own</source>
+        <source>Projected: spacing kept as seen along the projection; on surface: kept along the faces; ball: a lattice that is a sphere&apos;s own</source>
         <translation>Projiziert: der Abstand gilt entlang der Projektion gesehen; auf der Fläche: er gilt entlang der Flächen; Kugel: ein Gitter, das einer Kugel eigen ist</translation>
     </message>
     <message>
@@ -1603,11 +1603,11 @@
         <translation>Ordner für den Bericht</translation>
     </message>
     <message>
-        <source>PatchMill's compiled core</source>
+        <source>PatchMill&apos;s compiled core</source>
         <translation>Der kompilierte Kern von PatchMill</translation>
     </message>
     <message>
-        <source>Documents with PatchMill's operations can be opened and saved; nothing is lost.</source>
+        <source>Documents with PatchMill&apos;s operations can be opened and saved; nothing is lost.</source>
         <translation>Dokumente mit Operationen von PatchMill können geöffnet und gespeichert werden; nichts geht verloren.</translation>
     </message>
     <message>
@@ -1623,7 +1623,7 @@
         <translation>Befehl für ein Terminal kopieren</translation>
     </message>
     <message>
-        <source>A wheel of PatchMill's core</source>
+        <source>A wheel of PatchMill&apos;s core</source>
         <translation>Ein Wheel mit dem Kern von PatchMill</translation>
     </message>
     <message>
@@ -1763,7 +1763,7 @@
         <translation>keine Textur</translation>
     </message>
     <message>
-        <source>Choose the program's file</source>
+        <source>Choose the program&apos;s file</source>
         <translation>Datei des Programms wählen</translation>
     </message>
     <message>
@@ -2103,7 +2103,7 @@
         <translation>{}, Ränder weniger gut</translation>
     </message>
     <message>
-        <source>{} for PatchMill's operations</source>
+        <source>{} for PatchMill&apos;s operations</source>
         <translation>{} für die Operationen von PatchMill</translation>
     </message>
     <message>
@@ -2223,7 +2223,7 @@
         <translation>Eine Fläche eines Körpers oder einer Fläche auswählen.</translation>
     </message>
     <message>
-        <source>select at least one face of the job's model.</source>
+        <source>select at least one face of the job&apos;s model.</source>
         <translation>Mindestens eine Fläche des Modells im Job auswählen.</translation>
     </message>
     <message>
@@ -2259,7 +2259,7 @@
         <translation>Einen Kugel-, Torus-, Schaft-, konischen Kugel- oder Kegelfräser wählen.</translation>
     </message>
     <message>
-        <source>give no more than the tool's cutting edge, {} mm.</source>
+        <source>give no more than the tool&apos;s cutting edge, {} mm.</source>
         <translation>Nicht mehr als die Schneidenlänge des Werkzeugs angeben, {} mm.</translation>
     </message>
     <message>
@@ -2355,7 +2355,7 @@
         <translation>Raster</translation>
     </message>
     <message>
-        <source>Walls of the part beside the faces are in the tool's way.</source>
+        <source>Walls of the part beside the faces are in the tool&apos;s way.</source>
         <translation>Wände des Teils neben den Flächen sind dem Werkzeug im Weg.</translation>
     </message>
     <message>
@@ -2372,7 +2372,7 @@
     </message>
     <message>
         <source>--program-number={}</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>FreeCAD posts what has ToolController and Active: take it out of the job.</source>
@@ -2388,10 +2388,10 @@
     </message>
     <message>
         <source>FreeCAD would read it otherwise: write words of a letter and a number, each letter</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>FreeCAD's paths are in millimetres: take it out.</source>
+        <source>FreeCAD&apos;s paths are in millimetres: take it out.</source>
         <translation>Bahnen von FreeCAD sind in Millimetern: Das Wort herausnehmen.</translation>
     </message>
     <message>
@@ -2412,7 +2412,7 @@
     </message>
     <message>
         <source>a curved base needs {} of each, a flat one none.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a cut needs a feed greater than zero: give it one here.</source>
@@ -2424,7 +2424,7 @@
     </message>
     <message>
         <source>a grid needs at least one cell.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a lead of {} mm in line {}</source>
@@ -2432,7 +2432,7 @@
     </message>
     <message>
         <source>a live session cuts scanning lines.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a locked path needs no fitting.</source>
@@ -2440,7 +2440,7 @@
     </message>
     <message>
         <source>a loop of {} points</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a move turns the spindle forward.</source>
@@ -2495,7 +2495,7 @@
         <translation>Eine an die Spindel gekoppelte Bewegung braucht mehr Umdrehungen als ihre Eckenrundungen.</translation>
     </message>
     <message>
-        <source>a stop would end the spindle's lock: post each patch as a file of its own (patches=1).</source>
+        <source>a stop would end the spindle&apos;s lock: post each patch as a file of its own (patches=1).</source>
         <translation>Ein Halt würde die Kopplung an die Spindel beenden: Jedes Feld als eigene Datei posten (patches=1).</translation>
     </message>
     <message>
@@ -2507,12 +2507,12 @@
         <translation>die Bahn einer Textur</translation>
     </message>
     <message>
-        <source>a texture's feed is its timing and its axis sets the phase: choose another operation.</source>
+        <source>a texture&apos;s feed is its timing and its axis sets the phase: choose another operation.</source>
         <translation>Der Vorschub einer Textur ist ihr Takt, und ihre Achse bestimmt die Phase: Eine andere Operation wählen.</translation>
     </message>
     <message>
         <source>a timed move needs more than no turns.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a vertex at infinity</source>
@@ -2543,7 +2543,7 @@
         <translation>eine offene Schale, {} Kanten ohne Gegenstück</translation>
     </message>
     <message>
-        <source>an upright operation follows, and the machine's file does not say where the tool is clear of a turning table: give retract_mm there, or bring them back to zero in the operation that turns them.</source>
+        <source>an upright operation follows, and the machine&apos;s file does not say where the tool is clear of a turning table: give retract_mm there, or bring them back to zero in the operation that turns them.</source>
         <translation>Es folgt eine Operation mit aufrechtem Werkzeug, und die Maschinendatei sagt nicht, wo das Werkzeug über einem drehenden Tisch frei ist: Dort retract_mm angeben, oder die Achsen in der Operation, die sie dreht, auf null zurückbringen.</translation>
     </message>
     <message>
@@ -2551,7 +2551,7 @@
         <translation>Ein aufrechter Schaft würde in den Überhang schneiden: Auf {} einen DCM-Modifikator mit Haltung setzen.</translation>
     </message>
     <message>
-        <source>another operation leaves this, not its tool's length: end that one by G43 H{}.</source>
+        <source>another operation leaves this, not its tool&apos;s length: end that one by G43 H{}.</source>
         <translation>Eine andere Operation hinterlässt dies, nicht die Länge ihres Werkzeugs: Jene mit G43 H{} enden lassen.</translation>
     </message>
     <message>
@@ -2587,7 +2587,7 @@
         <translation>Eine Textur, ein Kopierfräsen oder einen DCM-Modifikator wählen.</translation>
     </message>
     <message>
-        <source>choose a work offset in the job's setup, such as G54.</source>
+        <source>choose a work offset in the job&apos;s setup, such as G54.</source>
         <translation>Im Setup des Jobs eine Nullpunktverschiebung wählen, etwa G54.</translation>
     </message>
     <message>
@@ -2612,14 +2612,14 @@
     </message>
     <message>
         <source>corner {} of {} vertices</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>count from 0, the first dimple.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>dimples {} and {} are at one place on the program's decimals.</source>
+        <source>dimples {} and {} are at one place on the program&apos;s decimals.</source>
         <translation>Die Mulden {} und {} liegen mit den Nachkommastellen des Programms an einem Ort.</translation>
     </message>
     <message>
@@ -2676,7 +2676,7 @@
     </message>
     <message>
         <source>give 0, 1 or 2 for x, y or z.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give 1 or more.</source>
@@ -2716,10 +2716,10 @@
     </message>
     <message>
         <source>give a function of positions and normals.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>give a height above 0 and up to the ball's radius, {} mm.</source>
+        <source>give a height above 0 and up to the ball&apos;s radius, {} mm.</source>
         <translation>Eine Höhe über 0 und bis zum Kugelradius angeben, {} mm.</translation>
     </message>
     <message>
@@ -2727,8 +2727,8 @@
         <translation>Eine Länge größer als null angeben.</translation>
     </message>
     <message>
-        <source>give a name, a factor on the feed, and a depth in mm or the name of a solid, such as 'skin 0.6 1.5'.</source>
-        <translation>Einen Namen, einen Faktor auf den Vorschub und eine Tiefe in mm oder den Namen eines Körpers angeben, etwa 'skin 0.6 1.5'.</translation>
+        <source>give a name, a factor on the feed, and a depth in mm or the name of a solid, such as &apos;skin 0.6 1.5&apos;.</source>
+        <translation>Einen Namen, einen Faktor auf den Vorschub und eine Tiefe in mm oder den Namen eines Körpers angeben, etwa &apos;skin 0.6 1.5&apos;.</translation>
     </message>
     <message>
         <source>give a number of decimals, such as 3.</source>
@@ -2739,12 +2739,12 @@
         <translation>Eine Zahl angeben.</translation>
     </message>
     <message>
-        <source>give a path of this texture's plan.</source>
-        <translation type="unfinished" />
+        <source>give a path of this texture&apos;s plan.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a path whose moves are all timed.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a positive jerk in mm/s³, or leave it out for none.</source>
@@ -2776,7 +2776,7 @@
     </message>
     <message>
         <source>give a tessellated surface.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a texture of the job.</source>
@@ -2836,7 +2836,7 @@
     </message>
     <message>
         <source>give finite ((x, y) least, (x, y) greatest) in mm.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give finite numbers.</source>
@@ -2844,11 +2844,11 @@
     </message>
     <message>
         <source>give finite rows (time, x, y, z, spindle azimuth).</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give finite vertices.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give four numbers: from, to, two diameters.</source>
@@ -2867,7 +2867,7 @@
         <translation>Mehr als 0 und höchstens {} Grad angeben.</translation>
     </message>
     <message>
-        <source>give more than zero and less than the part's width.</source>
+        <source>give more than zero and less than the part&apos;s width.</source>
         <translation>Mehr als null und weniger als die Breite des Teils angeben.</translation>
     </message>
     <message>
@@ -2896,11 +2896,11 @@
     </message>
     <message>
         <source>give one for each text.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give one for the start and one per move.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give one for the stock and one for each material.</source>
@@ -2912,10 +2912,10 @@
     </message>
     <message>
         <source>give one of path, program and samples.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>give one of the lattice's {} steps.</source>
+        <source>give one of the lattice&apos;s {} steps.</source>
         <translation>Einen der {} Schritte des Gitters angeben.</translation>
     </message>
     <message>
@@ -2923,12 +2923,12 @@
         <translation>Eins davon angeben: {}.</translation>
     </message>
     <message>
-        <source>give one role and one value per field for each of the grid's {} cells.</source>
-        <translation type="unfinished" />
+        <source>give one role and one value per field for each of the grid&apos;s {} cells.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give one value for each pixel.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give the least corner first.</source>
@@ -2952,7 +2952,7 @@
     </message>
     <message>
         <source>give triangles whose corners are vertices of the mesh.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give two different finite corners.</source>
@@ -2995,7 +2995,7 @@
         <translation>In der freien Form hinterlässt jede Schneide eine Spur: Jede zulassen.</translation>
     </message>
     <message>
-        <source>in the free form the phase follows from the feed: choose '{}'.</source>
+        <source>in the free form the phase follows from the feed: choose &apos;{}&apos;.</source>
         <translation>In der freien Form folgt die Phase aus dem Vorschub: „{}“ wählen.</translation>
     </message>
     <message>
@@ -3019,7 +3019,7 @@
         <translation>Es lässt sich nicht lesen ({}): Es als PNG speichern.</translation>
     </message>
     <message>
-        <source>it cannot be taken away ({}): change the folder's permissions.</source>
+        <source>it cannot be taken away ({}): change the folder&apos;s permissions.</source>
         <translation>Sie lässt sich nicht löschen ({}): Die Rechte des Ordners ändern.</translation>
     </message>
     <message>
@@ -3035,7 +3035,7 @@
         <translation>Sie ließ sich nicht schreiben: Platz schaffen oder einen anderen Ordner wählen.</translation>
     </message>
     <message>
-        <source>it does not keep {}{} of {}: use one of PatchMill's own posts.</source>
+        <source>it does not keep {}{} of {}: use one of PatchMill&apos;s own posts.</source>
         <translation>Er behält {}{} von {} nicht: Einen der Postprozessoren von PatchMill benutzen.</translation>
     </message>
     <message>
@@ -3047,7 +3047,7 @@
         <translation>Er ist gescheitert ({}): Einen anderen Postprozessor benutzen.</translation>
     </message>
     <message>
-        <source>it failed in a way that FreeCAD's report view tells.</source>
+        <source>it failed in a way that FreeCAD&apos;s report view tells.</source>
         <translation>Sie ist auf eine Weise gescheitert, die FreeCADs Ausgabefenster nennt.</translation>
     </message>
     <message>
@@ -3063,7 +3063,7 @@
         <translation>Sie hat keine Bewegungen: Sie neu berechnen.</translation>
     </message>
     <message>
-        <source>it has no path: take it out of the job's operations.</source>
+        <source>it has no path: take it out of the job&apos;s operations.</source>
         <translation>Sie hat keine Bahn: Sie aus den Operationen des Jobs nehmen.</translation>
     </message>
     <message>
@@ -3115,7 +3115,7 @@
         <translation>Es ist keine Konfiguration von LinuxCNC: Sie nennt keine Achsen.</translation>
     </message>
     <message>
-        <source>it is no work offset of a control: choose G54 to G59.3 in the job's setup.</source>
+        <source>it is no work offset of a control: choose G54 to G59.3 in the job&apos;s setup.</source>
         <translation>Sie ist keine Nullpunktverschiebung einer Steuerung: Im Setup des Jobs G54 bis G59.3 wählen.</translation>
     </message>
     <message>
@@ -3139,7 +3139,7 @@
         <translation>Sie steht zweimal da, und alles würde an einem Ort zweimal gefräst: Sie einmal nennen.</translation>
     </message>
     <message>
-        <source>it would change a texture's path, which is its timing: take it away.</source>
+        <source>it would change a texture&apos;s path, which is its timing: take it away.</source>
         <translation>Er würde die Bahn einer Textur ändern, die ihr Takt ist: Ihn entfernen.</translation>
     </message>
     <message>
@@ -3183,7 +3183,7 @@
         <translation>Ihre Startphase wurde mit einer Version gefunden, die sie in jedem Programm neu zählte: Ein neues Kalibrierfeld fräsen.</translation>
     </message>
     <message>
-        <source>its start phase was found with the controller '{}', and it has '{}': mill a calibration patch anew.</source>
+        <source>its start phase was found with the controller &apos;{}&apos;, and it has &apos;{}&apos;: mill a calibration patch anew.</source>
         <translation>Ihre Startphase wurde mit der Werkzeugsteuerung „{}“ gefunden, und sie hat „{}“: Ein neues Kalibrierfeld fräsen.</translation>
     </message>
     <message>
@@ -3191,7 +3191,7 @@
         <translation>Ihr Werkzeug ist schon geneigt: Eine Bahn mit aufrechtem Werkzeug wählen.</translation>
     </message>
     <message>
-        <source>leave its feed alone: a texture's feed is its timing.</source>
+        <source>leave its feed alone: a texture&apos;s feed is its timing.</source>
         <translation>Ihren Vorschub lassen: Der Vorschub einer Textur ist ihr Takt.</translation>
     </message>
     <message>
@@ -3199,7 +3199,7 @@
         <translation>Wege lassen sich nur dort an Halte anpassen, wo die Maschine hält: Genauhalt benutzen.</translation>
     </message>
     <message>
-        <source>let the operation mill a face of the job's model.</source>
+        <source>let the operation mill a face of the job&apos;s model.</source>
         <translation>Die Operation eine Fläche des Modells im Job fräsen lassen.</translation>
     </message>
     <message>
@@ -3208,7 +3208,7 @@
     </message>
     <message>
         <source>live, choose the whole model.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lower limit above the upper one</source>
@@ -3248,7 +3248,7 @@
     </message>
     <message>
         <source>no Resources/machines</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no dimples</source>
@@ -3303,7 +3303,7 @@
         <translation>kein Anfahrweg</translation>
     </message>
     <message>
-        <source>none of its moves end on the texture's dimples.</source>
+        <source>none of its moves end on the texture&apos;s dimples.</source>
         <translation>Keine ihrer Bewegungen endet auf den Mulden der Textur.</translation>
     </message>
     <message>
@@ -3312,7 +3312,7 @@
     </message>
     <message>
         <source>not Scanning</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>not computed</source>
@@ -3336,15 +3336,15 @@
     </message>
     <message>
         <source>other K or F words</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>other K or F words in line {}</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>other words G61 and G64</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>plan one for each of the {} dimples.</source>
@@ -3395,7 +3395,7 @@
         <translation>Sagen, welche Kopie fortgesetzt wird.</translation>
     </message>
     <message>
-        <source>say which of the job's goes on.</source>
+        <source>say which of the job&apos;s goes on.</source>
         <translation>Sagen, welche des Jobs fortgesetzt wird.</translation>
     </message>
     <message>
@@ -3416,14 +3416,14 @@
     </message>
     <message>
         <source>several motions</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>spindle-locked</source>
         <translation>an die Spindel gekoppelt</translation>
     </message>
     <message>
-        <source>take only the posture from the voxel model: a texture's feed is its timing.</source>
+        <source>take only the posture from the voxel model: a texture&apos;s feed is its timing.</source>
         <translation>Vom Voxelmodell nur die Haltung nehmen: Der Vorschub einer Textur ist ihr Takt.</translation>
     </message>
     <message>
@@ -3439,7 +3439,7 @@
         <translation>Die Steuerung der Maschine {} nimmt {}: --precision={} und ebenso viele Nachkommastellen angeben.</translation>
     </message>
     <message>
-        <source>the direction is parallel to the texture's x axis: choose another one.</source>
+        <source>the direction is parallel to the texture&apos;s x axis: choose another one.</source>
         <translation>Die Richtung ist parallel zur x-Achse der Textur: Eine andere wählen.</translation>
     </message>
     <message>
@@ -3475,7 +3475,7 @@
         <translation>Die freie Form wird als Ganzes gefräst: {} angeben.</translation>
     </message>
     <message>
-        <source>the free form's marks overlap: choose so.</source>
+        <source>the free form&apos;s marks overlap: choose so.</source>
         <translation>Die Spuren der freien Form überlappen: Dies wählen.</translation>
     </message>
     <message>
@@ -3495,7 +3495,7 @@
         <translation>Die Grenze ist {} GB: {} mm oder mehr nehmen, oder ein kleineres Fenster.</translation>
     </message>
     <message>
-        <source>the machine file says that this controller cannot follow the spindle: use the feed-per-move strategy, or set the machine's spindle lock if it can.</source>
+        <source>the machine file says that this controller cannot follow the spindle: use the feed-per-move strategy, or set the machine&apos;s spindle lock if it can.</source>
         <translation>Die Maschinendatei sagt, dass diese Steuerung der Spindel nicht folgen kann: Die Strategie Vorschub je Satz benutzen, oder die Spindelkopplung der Maschine einschalten, wenn sie es kann.</translation>
     </message>
     <message>
@@ -3623,7 +3623,7 @@
         <translation>Die Haltung konvergiert nicht (Rest {}): Eine andere Größe versuchen.</translation>
     </message>
     <message>
-        <source>the program does not call the tool's length: use another post-processor.</source>
+        <source>the program does not call the tool&apos;s length: use another post-processor.</source>
         <translation>Das Programm ruft die Werkzeuglänge nicht auf: Einen anderen Postprozessor benutzen.</translation>
     </message>
     <message>
@@ -3671,7 +3671,7 @@
         <translation>Die Spindel muss drehen: Forward oder Reverse.</translation>
     </message>
     <message>
-        <source>the strategy '{}' needs a machine file.</source>
+        <source>the strategy &apos;{}&apos; needs a machine file.</source>
         <translation>Die Strategie „{}“ braucht eine Maschinendatei.</translation>
     </message>
     <message>
@@ -3724,7 +3724,7 @@
     </message>
     <message>
         <source>the upper corner must not lie below the lower one, nor too far from it.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the voxels lie from {} to {} mm.</source>
@@ -3739,7 +3739,7 @@
         <translation>Eine solche Datei kann es nicht geben: Einen anderen Namen angeben.</translation>
     </message>
     <message>
-        <source>there is no object '{}' with a shape: {}</source>
+        <source>there is no object &apos;{}&apos; with a shape: {}</source>
         <translation>Es gibt kein Objekt „{}“ mit einer Form: {}</translation>
     </message>
     <message>
@@ -3763,7 +3763,7 @@
         <translation>Es muss eine Mulde zum Ansehen geben.</translation>
     </message>
     <message>
-        <source>this FreeCAD posts the tool bit's: set both alike.</source>
+        <source>this FreeCAD posts the tool bit&apos;s: set both alike.</source>
         <translation>Dieses FreeCAD postet den des Werkzeugs: Beide gleich setzen.</translation>
     </message>
     <message>
@@ -3807,7 +3807,7 @@
         <translation>Für den Namen Buchstaben, Ziffern, Punkte, Binde- und Unterstriche benutzen.</translation>
     </message>
     <message>
-        <source>what a tool of kind '{}' leaves is not known: give 0.</source>
+        <source>what a tool of kind &apos;{}&apos; leaves is not known: give 0.</source>
         <translation>Was ein Werkzeug der Art „{}“ stehen lässt, ist nicht bekannt: 0 angeben.</translation>
     </message>
     <message>
@@ -3819,11 +3819,11 @@
         <translation>Ohne TCP braucht ein Schwenkkopf die Länge von seinem Bezugspunkt bis zur Spitze.</translation>
     </message>
     <message>
-        <source>work offsets are the job's: choose it in the job's setup, and take it out here.</source>
+        <source>work offsets are the job&apos;s: choose it in the job&apos;s setup, and take it out here.</source>
         <translation>Nullpunktverschiebungen gehören zum Job: Sie in dessen Setup wählen und hier herausnehmen.</translation>
     </message>
     <message>
-        <source>work offsets are the job's: choose it in the job's setup, and take the operation out.</source>
+        <source>work offsets are the job&apos;s: choose it in the job&apos;s setup, and take the operation out.</source>
         <translation>Nullpunktverschiebungen gehören zum Job: Sie in dessen Setup wählen und die Operation herausnehmen.</translation>
     </message>
     <message>
@@ -3863,7 +3863,7 @@
         <translation>{} hat keinen Satz, der der Spindel folgt: Vorschub je Satz oder festen Vorschub benutzen.</translation>
     </message>
     <message>
-        <source>{} has no such work offset: choose {} in the job's setup.</source>
+        <source>{} has no such work offset: choose {} in the job&apos;s setup.</source>
         <translation>{} hat keine solche Nullpunktverschiebung: Im Setup des Jobs {} wählen.</translation>
     </message>
     <message>
@@ -3940,11 +3940,11 @@
     </message>
     <message>
         <source>{} s, r = D dt / dx^2 = {}</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} sags and {} normals</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} stops between patches</source>
@@ -3956,7 +3956,7 @@
     </message>
     <message>
         <source>{} turns at {} rpm: take the word out, and give the operation</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} turns take the tool {} mm, and dimple {} is {} mm away: give at least {} ExtraTurns.</source>
@@ -3967,19 +3967,19 @@
         <translation>{} mit einem Kugelfräser: Einen wählen.</translation>
     </message>
     <message>
-        <source>{} writes it as it is: use letters and digits, or one of PatchMill's own posts.</source>
+        <source>{} writes it as it is: use letters and digits, or one of PatchMill&apos;s own posts.</source>
         <translation>{} schreibt es, wie es ist: Buchstaben und Ziffern benutzen, oder einen der Postprozessoren von PatchMill.</translation>
     </message>
     <message>
         <source>{} x {} with {} values</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: repair the shape.</source>
         <translation>{}: Die Form in Ordnung bringen.</translation>
     </message>
     <message>
-        <source>{}: use one of PatchMill's own posts.</source>
+        <source>{}: use one of PatchMill&apos;s own posts.</source>
         <translation>{}: Einen der Postprozessoren von PatchMill benutzen.</translation>
     </message>
     <message>
@@ -3999,11 +3999,11 @@
         <translation>Sie nennt keine Achsen: Eine Maschinendatei von FreeCAD angeben.</translation>
     </message>
     <message>
-        <source>set the machine to metric units in FreeCAD's machine editor.</source>
+        <source>set the machine to metric units in FreeCAD&apos;s machine editor.</source>
         <translation>Die Maschine in FreeCADs Maschineneditor auf metrische Einheiten stellen.</translation>
     </message>
     <message>
-        <source>Accelerations are not in the file: {} mm/s² was taken. Give those of the machine, from which follows what a texture's timing can be.</source>
+        <source>Accelerations are not in the file: {} mm/s² was taken. Give those of the machine, from which follows what a texture&apos;s timing can be.</source>
         <translation>Beschleunigungen stehen nicht in der Datei: {} mm/s² wurde genommen. Die der Maschine angeben, aus denen folgt, welcher Takt einer Textur möglich ist.</translation>
     </message>
     <message>
@@ -4255,15 +4255,15 @@
         <translation>geben Sie dem Werkzeug die Zahl seiner Schneiden: daraus folgt die Spandicke.</translation>
     </message>
     <message>
-        <source>how a tool of kind '{}' cuts is not known: choose another tool.</source>
-        <translation>wie ein Werkzeug der Art '{}' schneidet, ist nicht bekannt: wählen Sie ein anderes Werkzeug.</translation>
+        <source>how a tool of kind &apos;{}&apos; cuts is not known: choose another tool.</source>
+        <translation>wie ein Werkzeug der Art &apos;{}&apos; schneidet, ist nicht bekannt: wählen Sie ein anderes Werkzeug.</translation>
     </message>
     <message>
-        <source>it is to lie along the rotary axis {}: turn the job's model.</source>
+        <source>it is to lie along the rotary axis {}: turn the job&apos;s model.</source>
         <translation>er muss entlang der Drehachse {} liegen: drehen Sie das Modell des Auftrags.</translation>
     </message>
     <message>
-        <source>its axis is to be the rotary axis {}, which goes through ({}, {}, {}) mm of the work: move the job's model, or tell the machine file's work_zero_mm.</source>
+        <source>its axis is to be the rotary axis {}, which goes through ({}, {}, {}) mm of the work: move the job&apos;s model, or tell the machine file&apos;s work_zero_mm.</source>
         <translation>seine Achse muss die Drehachse {} sein, die durch ({}, {}, {}) mm des Werkstücks geht: verschieben Sie das Modell des Auftrags, oder geben Sie work_zero_mm der Maschinendatei an.</translation>
     </message>
     <message>
@@ -4283,7 +4283,7 @@
         <translation>mehrere Zylinder</translation>
     </message>
     <message>
-        <source>the tool's tip stands at Z {} mm: give more.</source>
+        <source>the tool&apos;s tip stands at Z {} mm: give more.</source>
         <translation>die Werkzeugspitze steht bei Z {} mm: geben Sie mehr an.</translation>
     </message>
     <message>
@@ -4381,15 +4381,15 @@ Spindel {:.0f}°</translation>
         <translation>Manche Mulden, {} mm breit, gehen ineinander über.</translation>
     </message>
     <message>
-        <source>a ball's lattice is milled from outside: choose another Mapping.</source>
+        <source>a ball&apos;s lattice is milled from outside: choose another Mapping.</source>
         <translation>Das Gitter einer Kugel wird von außen gefräst: Eine andere Abbildung wählen.</translation>
     </message>
     <message>
-        <source>a ball's lattice is that of one: choose its faces alone.</source>
+        <source>a ball&apos;s lattice is that of one: choose its faces alone.</source>
         <translation>Das Gitter einer Kugel gehört zu einer einzigen: Nur deren Flächen wählen.</translation>
     </message>
     <message>
-        <source>a ball's lattice lies on a spherical face: choose one, or another Mapping.</source>
+        <source>a ball&apos;s lattice lies on a spherical face: choose one, or another Mapping.</source>
         <translation>Das Gitter einer Kugel liegt auf einer Kugelfläche: Eine solche wählen oder eine andere Abbildung.</translation>
     </message>
     <message>
@@ -4401,7 +4401,7 @@ Spindel {:.0f}°</translation>
         <translation>Projiziert, Auf der Fläche oder Kugel angeben.</translation>
     </message>
     <message>
-        <source>give less than the tool's diameter, {} mm, and the ball's.</source>
+        <source>give less than the tool&apos;s diameter, {} mm, and the ball&apos;s.</source>
         <translation>Weniger angeben als den Durchmesser des Werkzeugs, {} mm, und den der Kugel.</translation>
     </message>
     <message>
@@ -4432,12 +4432,12 @@ Spindel {:.0f}°</translation>
         <source>A ball of diameter {} reaches {:.0f} % of the faces.</source>
         <translation>Eine Kugel mit dem Durchmesser {} erreicht {:.0f} % der Flächen.</translation>
     </message>
-<message>
+    <message>
         <source>the mesh {}</source>
         <translation>das Netz {}</translation>
     </message>
     <message>
-        <source>it has no faces for a job. In FreeCAD's Python console patchmill.mesh_texture makes a program for it.</source>
+        <source>it has no faces for a job. In FreeCAD&apos;s Python console patchmill.mesh_texture makes a program for it.</source>
         <translation>es hat keine Flächen für einen Auftrag. In der Python-Konsole von FreeCAD macht patchmill.mesh_texture ein Programm dafür.</translation>
     </message>
     <message>
@@ -4619,7 +4619,7 @@ Spindel {:.0f}°</translation>
         <translation>Kalibrierfeld</translation>
     </message>
     <message>
-        <source>One patch whose best dimple tells the machine's start phase</source>
+        <source>One patch whose best dimple tells the machine&apos;s start phase</source>
         <translation>Ein Feld, dessen beste Mulde die Anfangsphase der Maschine verrät</translation>
     </message>
 </context>
@@ -4717,7 +4717,7 @@ Spindel {:.0f}°</translation>
 <context>
     <name>PatchMill_InstallCore</name>
     <message>
-        <source>Install PatchMill's core …</source>
+        <source>Install PatchMill&apos;s core …</source>
         <translation>Kern von PatchMill installieren …</translation>
     </message>
     <message>

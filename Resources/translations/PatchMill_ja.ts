@@ -8,7 +8,7 @@
         <translation>隣り合うディンプルの距離。0: 他の寸法から</translation>
     </message>
     <message>
-        <source>Overlapping: the dimples' bottoms are the faces; isolated: the faces stay between dimples</source>
+        <source>Overlapping: the dimples&apos; bottoms are the faces; isolated: the faces stay between dimples</source>
         <translation>重なり: くぼみの底が面になる; 独立: くぼみの間に面が残る</translation>
     </message>
     <message>
@@ -16,7 +16,7 @@
         <translation>ディンプルの深さ。0: 他の寸法から</translation>
     </message>
     <message>
-        <source>Diameter of a dimple's rim; 0: from the other sizes</source>
+        <source>Diameter of a dimple&apos;s rim; 0: from the other sizes</source>
         <translation>ディンプルの縁の直径。0: 他の寸法から</translation>
     </message>
     <message>
@@ -60,7 +60,7 @@
         <translation>列をパッチの境を越えて面全体に通す、または各パッチの中に収める</translation>
     </message>
     <message>
-        <source>Direction of the lattice that rows go along: the one of the least time (each is planned), the one nearest to the texture's X or Y, or the one along which the faces bend least</source>
+        <source>Direction of the lattice that rows go along: the one of the least time (each is planned), the one nearest to the texture&apos;s X or Y, or the one along which the faces bend least</source>
         <translation>列が従う格子の方向: 時間が最も短い方向 (それぞれ計画する)、テクスチャのXまたはYに最も近い方向、または面の曲がりが最も小さい方向</translation>
     </message>
     <message>
@@ -136,7 +136,7 @@
         <translation>テクスチャ平面上の画像の幅; 0: 面に収まる大きさ</translation>
     </message>
     <message>
-        <source>Centre of the picture from the texture's own, along its X and Y</source>
+        <source>Centre of the picture from the texture&apos;s own, along its X and Y</source>
         <translation>テクスチャの中心から見た画像の中心 (テクスチャのXとYに沿って)</translation>
     </message>
     <message>
@@ -152,7 +152,7 @@
         <translation>白い所のくぼみの深さ</translation>
     </message>
     <message>
-        <source>How the spindle's phase is kept</source>
+        <source>How the spindle&apos;s phase is kept</source>
         <translation>主軸位相の保ち方</translation>
     </message>
     <message>
@@ -172,7 +172,7 @@
         <translation>シャンクとホルダーがモデルから離れるべき距離</translation>
     </message>
     <message>
-        <source>How far the tool stands out of its holder; 0: the tool bit's length</source>
+        <source>How far the tool stands out of its holder; 0: the tool bit&apos;s length</source>
         <translation>工具がホルダーから出る長さ; 0: 工具の長さ</translation>
     </message>
     <message>
@@ -212,7 +212,7 @@
         <translation>送りの代わりに傾ける方向; ゼロ: 送り方向</translation>
     </message>
     <message>
-        <source>DCM modifier whose voxel model gives the axes; none: the job's stock less its model</source>
+        <source>DCM modifier whose voxel model gives the axes; none: the job&apos;s stock less its model</source>
         <translation>軸を与えるボクセルモデルのDCM修飾; なし: ジョブの素材からモデルを引いたもの</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@
         <translation>修飾を指定しない場合のボクセルの一辺</translation>
     </message>
     <message>
-        <source>By how much an axis may be drawn towards its neighbours'</source>
+        <source>By how much an axis may be drawn towards its neighbours&apos;</source>
         <translation>軸を隣の軸へ寄せてよい角度</translation>
     </message>
     <message>
@@ -236,7 +236,7 @@
         <translation>制御装置が工具先端点を保つ (TCP) か、プログラムを回転中心基準とするか</translation>
     </message>
     <message>
-        <source>Length from the spindle's gauge point to the tip, for tilting heads without TCP</source>
+        <source>Length from the spindle&apos;s gauge point to the tip, for tilting heads without TCP</source>
         <translation>TCPのない旋回ヘッドでの、スピンドル基準点から先端までの長さ</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>校正のためくぼみごとに加える角度</translation>
     </message>
     <message>
-        <source>Decimals of the posted coordinates; must be the post's own</source>
+        <source>Decimals of the posted coordinates; must be the post&apos;s own</source>
         <translation>出力座標の小数桁; ポストと同じであること</translation>
     </message>
     <message>
@@ -264,7 +264,7 @@
         <translation>出力プログラムの最大位相誤差</translation>
     </message>
     <message>
-        <source>Each patch's plane fits its dimples on the faces best, or goes through its corners there</source>
+        <source>Each patch&apos;s plane fits its dimples on the faces best, or goes through its corners there</source>
         <translation>各パッチの平面を面上のくぼみに最もよく合わせる、または面上の角を通す</translation>
     </message>
     <message>
@@ -280,7 +280,7 @@
         <translation>隣り合う経路の間隔</translation>
     </message>
     <message>
-        <source>Distance of marks along the path; 0: from the tool controller's feed and spindle speed</source>
+        <source>Distance of marks along the path; 0: from the tool controller&apos;s feed and spindle speed</source>
         <translation>経路に沿う痕の間隔; 0: 工具コントローラーの送りと回転数から</translation>
     </message>
     <message>
@@ -308,7 +308,7 @@
         <translation>層の間隔</translation>
     </message>
     <message>
-        <source>The last pass's; 0: as the others'</source>
+        <source>The last pass&apos;s; 0: as the others&apos;</source>
         <translation>最後の仕上げの値; 0: 他と同じ</translation>
     </message>
     <message>
@@ -328,7 +328,7 @@
         <translation>ボクセルの一辺</translation>
     </message>
     <message>
-        <source>Feed at the product's surface, V_Lo</source>
+        <source>Feed at the product&apos;s surface, V_Lo</source>
         <translation>製品表面での送り V_Lo</translation>
     </message>
     <message>
@@ -344,8 +344,8 @@
         <translation>急に下る移動は速くしない</translation>
     </message>
     <message>
-        <source>Other materials in the stock: 'name factor where', a factor on the feed, and a depth in mm below the stock's surface or the name of a solid</source>
-        <translation>素材内の他の材料: '名前 係数 場所'、送りの係数と、素材表面からの深さ (mm) またはソリッドの名前</translation>
+        <source>Other materials in the stock: &apos;name factor where&apos;, a factor on the feed, and a depth in mm below the stock&apos;s surface or the name of a solid</source>
+        <translation>素材内の他の材料: &apos;名前 係数 場所&apos;、送りの係数と、素材表面からの深さ (mm) またはソリッドの名前</translation>
     </message>
     <message>
         <source>Whether the values at the skin of the stock are held, or are only where diffusion begins</source>
@@ -376,7 +376,7 @@
         <translation>姿勢のXまわりとYまわりの最大角</translation>
     </message>
     <message>
-        <source>Interpolate between voxels, or take each voxel's value (the paper's staircase)</source>
+        <source>Interpolate between voxels, or take each voxel&apos;s value (the paper&apos;s staircase)</source>
         <translation>ボクセル間を補間する、または各ボクセルの値を取る (論文の階段)</translation>
     </message>
     <message>
@@ -384,7 +384,7 @@
         <translation>ボクセルを読む位置</translation>
     </message>
     <message>
-        <source>Of a move's feed from the field's</source>
+        <source>Of a move&apos;s feed from the field&apos;s</source>
         <translation>移動の送りと場の送りの許容差</translation>
     </message>
     <message>
@@ -396,8 +396,8 @@
         <translation>機械ファイルの名前; 空: 制限なし</translation>
     </message>
     <message>
-        <source>Frusta of shank and holder: 'from to diameter diameter', heights above the tip in mm</source>
-        <translation>シャンクとホルダーの円錐台: '下 上 直径 直径'、先端からの高さ (mm)</translation>
+        <source>Frusta of shank and holder: &apos;from to diameter diameter&apos;, heights above the tip in mm</source>
+        <translation>シャンクとホルダーの円錐台: &apos;下 上 直径 直径&apos;、先端からの高さ (mm)</translation>
     </message>
     <message>
         <source>That is kept between holder and part</source>
@@ -436,7 +436,7 @@
         <translation>くぼみの深さ</translation>
     </message>
     <message>
-        <source>Diameter of a dimple's rim</source>
+        <source>Diameter of a dimple&apos;s rim</source>
         <translation>くぼみの縁の直径</translation>
     </message>
     <message>
@@ -476,7 +476,7 @@
         <translation>格子方向の最大角 (測定)</translation>
     </message>
     <message>
-        <source>Milled dimples, each worth a cell of the lattice, over the faces' area; 0: not known</source>
+        <source>Milled dimples, each worth a cell of the lattice, over the faces&apos; area; 0: not known</source>
         <translation>加工されるくぼみ (一つを格子の一目と数える) と面の面積の比; 0: 不明</translation>
     </message>
     <message>
@@ -520,7 +520,7 @@
         <translation>時間を定めた移動</translation>
     </message>
     <message>
-        <source>The base operation's, in seconds</source>
+        <source>The base operation&apos;s, in seconds</source>
         <translation>元の加工の時間 (秒)</translation>
     </message>
     <message>
@@ -588,7 +588,7 @@
         <translation>1回転中に工具に働く最大の力、N単位;0:制限なし</translation>
     </message>
     <message>
-        <source>Power at the tool's edges, in W; 0: no limit</source>
+        <source>Power at the tool&apos;s edges, in W; 0: no limit</source>
         <translation>切れ刃での動力、W単位;0:制限なし</translation>
     </message>
     <message>
@@ -612,7 +612,7 @@
         <translation>1回転中に工具に働く力、N単位;0:負荷の制限なし</translation>
     </message>
     <message>
-        <source>At the tool's edges, in W; 0: no limit of the load</source>
+        <source>At the tool&apos;s edges, in W; 0: no limit of the load</source>
         <translation>切れ刃での動力、W単位;0:負荷の制限なし</translation>
     </message>
     <message>
@@ -624,7 +624,7 @@
         <translation>パッチごとにらせん状に、格子の行ごとに、または回転テーブルが回す円柱の全周を一本のねじ線に沿って加工</translation>
     </message>
     <message>
-        <source>Projected: spacing kept as seen along the projection; on surface: kept along the faces; ball: a lattice that is a sphere's own</source>
+        <source>Projected: spacing kept as seen along the projection; on surface: kept along the faces; ball: a lattice that is a sphere&apos;s own</source>
         <translation>投影: 投影方向から見て間隔を保つ; 面上: 面に沿って間隔を保つ; 球: 球に固有の格子</translation>
     </message>
     <message>
@@ -1603,11 +1603,11 @@
         <translation>レポートのフォルダ</translation>
     </message>
     <message>
-        <source>PatchMill's compiled core</source>
+        <source>PatchMill&apos;s compiled core</source>
         <translation>PatchMill のコンパイル済みコア</translation>
     </message>
     <message>
-        <source>Documents with PatchMill's operations can be opened and saved; nothing is lost.</source>
+        <source>Documents with PatchMill&apos;s operations can be opened and saved; nothing is lost.</source>
         <translation>PatchMill の加工を含む文書は開いて保存できます。何も失われません。</translation>
     </message>
     <message>
@@ -1623,7 +1623,7 @@
         <translation>端末用コマンドをコピー</translation>
     </message>
     <message>
-        <source>A wheel of PatchMill's core</source>
+        <source>A wheel of PatchMill&apos;s core</source>
         <translation>PatchMill コアの wheel</translation>
     </message>
     <message>
@@ -1763,7 +1763,7 @@
         <translation>テクスチャなし</translation>
     </message>
     <message>
-        <source>Choose the program's file</source>
+        <source>Choose the program&apos;s file</source>
         <translation>プログラムのファイルを選択</translation>
     </message>
     <message>
@@ -2103,7 +2103,7 @@
         <translation>{}、縁はやや劣る</translation>
     </message>
     <message>
-        <source>{} for PatchMill's operations</source>
+        <source>{} for PatchMill&apos;s operations</source>
         <translation>PatchMill の操作に {}</translation>
     </message>
     <message>
@@ -2223,7 +2223,7 @@
         <translation>ソリッドまたはサーフェスの面を選択してください。</translation>
     </message>
     <message>
-        <source>select at least one face of the job's model.</source>
+        <source>select at least one face of the job&apos;s model.</source>
         <translation>ジョブのモデルの面を少なくとも一つ選択してください。</translation>
     </message>
     <message>
@@ -2259,7 +2259,7 @@
         <translation>ボール、ラジアス、フラット、テーパーボールまたは円錐のエンドミルを選んでください。</translation>
     </message>
     <message>
-        <source>give no more than the tool's cutting edge, {} mm.</source>
+        <source>give no more than the tool&apos;s cutting edge, {} mm.</source>
         <translation>工具の刃長 {} mm 以下にしてください。</translation>
     </message>
     <message>
@@ -2355,7 +2355,7 @@
         <translation>格子</translation>
     </message>
     <message>
-        <source>Walls of the part beside the faces are in the tool's way.</source>
+        <source>Walls of the part beside the faces are in the tool&apos;s way.</source>
         <translation>面の横にある部品の壁が工具の邪魔になります。</translation>
     </message>
     <message>
@@ -2372,7 +2372,7 @@
     </message>
     <message>
         <source>--program-number={}</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>FreeCAD posts what has ToolController and Active: take it out of the job.</source>
@@ -2388,10 +2388,10 @@
     </message>
     <message>
         <source>FreeCAD would read it otherwise: write words of a letter and a number, each letter</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>FreeCAD's paths are in millimetres: take it out.</source>
+        <source>FreeCAD&apos;s paths are in millimetres: take it out.</source>
         <translation>FreeCAD の経路はミリメートルです。この語を取り除いてください。</translation>
     </message>
     <message>
@@ -2412,7 +2412,7 @@
     </message>
     <message>
         <source>a curved base needs {} of each, a flat one none.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a cut needs a feed greater than zero: give it one here.</source>
@@ -2424,7 +2424,7 @@
     </message>
     <message>
         <source>a grid needs at least one cell.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a lead of {} mm in line {}</source>
@@ -2432,7 +2432,7 @@
     </message>
     <message>
         <source>a live session cuts scanning lines.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a locked path needs no fitting.</source>
@@ -2440,7 +2440,7 @@
     </message>
     <message>
         <source>a loop of {} points</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a move turns the spindle forward.</source>
@@ -2495,7 +2495,7 @@
         <translation>主軸同期の移動には、コーナーの丸めより多い回転が必要です。</translation>
     </message>
     <message>
-        <source>a stop would end the spindle's lock: post each patch as a file of its own (patches=1).</source>
+        <source>a stop would end the spindle&apos;s lock: post each patch as a file of its own (patches=1).</source>
         <translation>停止すると主軸の同期が終わります。パッチごとに別のファイルへポストしてください (patches=1)。</translation>
     </message>
     <message>
@@ -2507,12 +2507,12 @@
         <translation>テクスチャの経路</translation>
     </message>
     <message>
-        <source>a texture's feed is its timing and its axis sets the phase: choose another operation.</source>
+        <source>a texture&apos;s feed is its timing and its axis sets the phase: choose another operation.</source>
         <translation>テクスチャの送りはタイミングで、軸は位相を決めます。別の操作を選んでください。</translation>
     </message>
     <message>
         <source>a timed move needs more than no turns.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a vertex at infinity</source>
@@ -2543,7 +2543,7 @@
         <translation>開いたシェル、対のない辺 {} 本</translation>
     </message>
     <message>
-        <source>an upright operation follows, and the machine's file does not say where the tool is clear of a turning table: give retract_mm there, or bring them back to zero in the operation that turns them.</source>
+        <source>an upright operation follows, and the machine&apos;s file does not say where the tool is clear of a turning table: give retract_mm there, or bring them back to zero in the operation that turns them.</source>
         <translation>次は工具が直立する操作ですが、機械ファイルには回るテーブルから工具が離れる位置がありません。retract_mm を指定するか、軸を回した操作の中で 0 に戻してください。</translation>
     </message>
     <message>
@@ -2551,7 +2551,7 @@
         <translation>直立したシャンクがオーバーハングを削ります。{} に姿勢つきの DCM 修飾を付けてください。</translation>
     </message>
     <message>
-        <source>another operation leaves this, not its tool's length: end that one by G43 H{}.</source>
+        <source>another operation leaves this, not its tool&apos;s length: end that one by G43 H{}.</source>
         <translation>別の操作が、自分の工具長ではなくこれを残します。その操作を G43 H{} で終えてください。</translation>
     </message>
     <message>
@@ -2587,7 +2587,7 @@
         <translation>テクスチャ、倣い加工または DCM 修飾を選んでください。</translation>
     </message>
     <message>
-        <source>choose a work offset in the job's setup, such as G54.</source>
+        <source>choose a work offset in the job&apos;s setup, such as G54.</source>
         <translation>ジョブの設定で G54 などのワークオフセットを選んでください。</translation>
     </message>
     <message>
@@ -2612,14 +2612,14 @@
     </message>
     <message>
         <source>corner {} of {} vertices</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>count from 0, the first dimple.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>dimples {} and {} are at one place on the program's decimals.</source>
+        <source>dimples {} and {} are at one place on the program&apos;s decimals.</source>
         <translation>ディンプル {} と {} はプログラムの小数桁では同じ位置になります。</translation>
     </message>
     <message>
@@ -2676,7 +2676,7 @@
     </message>
     <message>
         <source>give 0, 1 or 2 for x, y or z.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give 1 or more.</source>
@@ -2716,10 +2716,10 @@
     </message>
     <message>
         <source>give a function of positions and normals.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>give a height above 0 and up to the ball's radius, {} mm.</source>
+        <source>give a height above 0 and up to the ball&apos;s radius, {} mm.</source>
         <translation>0 より大きくボール半径 {} mm 以下の高さを指定してください。</translation>
     </message>
     <message>
@@ -2727,8 +2727,8 @@
         <translation>0 より大きい長さを指定してください。</translation>
     </message>
     <message>
-        <source>give a name, a factor on the feed, and a depth in mm or the name of a solid, such as 'skin 0.6 1.5'.</source>
-        <translation>名前、送りの係数、深さ [mm] またはソリッドの名前を指定してください。例: 'skin 0.6 1.5'。</translation>
+        <source>give a name, a factor on the feed, and a depth in mm or the name of a solid, such as &apos;skin 0.6 1.5&apos;.</source>
+        <translation>名前、送りの係数、深さ [mm] またはソリッドの名前を指定してください。例: &apos;skin 0.6 1.5&apos;。</translation>
     </message>
     <message>
         <source>give a number of decimals, such as 3.</source>
@@ -2739,12 +2739,12 @@
         <translation>数を指定してください。</translation>
     </message>
     <message>
-        <source>give a path of this texture's plan.</source>
-        <translation type="unfinished" />
+        <source>give a path of this texture&apos;s plan.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a path whose moves are all timed.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a positive jerk in mm/s³, or leave it out for none.</source>
@@ -2776,7 +2776,7 @@
     </message>
     <message>
         <source>give a tessellated surface.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give a texture of the job.</source>
@@ -2836,7 +2836,7 @@
     </message>
     <message>
         <source>give finite ((x, y) least, (x, y) greatest) in mm.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give finite numbers.</source>
@@ -2844,11 +2844,11 @@
     </message>
     <message>
         <source>give finite rows (time, x, y, z, spindle azimuth).</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give finite vertices.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give four numbers: from, to, two diameters.</source>
@@ -2867,7 +2867,7 @@
         <translation>0 より大きく {} 度以下を指定してください。</translation>
     </message>
     <message>
-        <source>give more than zero and less than the part's width.</source>
+        <source>give more than zero and less than the part&apos;s width.</source>
         <translation>0 より大きく部品の幅より小さくしてください。</translation>
     </message>
     <message>
@@ -2896,11 +2896,11 @@
     </message>
     <message>
         <source>give one for each text.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give one for the start and one per move.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give one for the stock and one for each material.</source>
@@ -2912,10 +2912,10 @@
     </message>
     <message>
         <source>give one of path, program and samples.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>give one of the lattice's {} steps.</source>
+        <source>give one of the lattice&apos;s {} steps.</source>
         <translation>格子の {} 通りのステップの一つを指定してください。</translation>
     </message>
     <message>
@@ -2923,12 +2923,12 @@
         <translation>次のどれかを指定してください。{}。</translation>
     </message>
     <message>
-        <source>give one role and one value per field for each of the grid's {} cells.</source>
-        <translation type="unfinished" />
+        <source>give one role and one value per field for each of the grid&apos;s {} cells.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give one value for each pixel.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give the least corner first.</source>
@@ -2952,7 +2952,7 @@
     </message>
     <message>
         <source>give triangles whose corners are vertices of the mesh.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>give two different finite corners.</source>
@@ -2995,7 +2995,7 @@
         <translation>自由形ではすべての刃が痕を残します。どの刃でもよいとしてください。</translation>
     </message>
     <message>
-        <source>in the free form the phase follows from the feed: choose '{}'.</source>
+        <source>in the free form the phase follows from the feed: choose &apos;{}&apos;.</source>
         <translation>自由形では位相は送りで決まります。「{}」を選んでください。</translation>
     </message>
     <message>
@@ -3019,7 +3019,7 @@
         <translation>読めません ({})。PNG で保存してください。</translation>
     </message>
     <message>
-        <source>it cannot be taken away ({}): change the folder's permissions.</source>
+        <source>it cannot be taken away ({}): change the folder&apos;s permissions.</source>
         <translation>削除できません ({})。フォルダーの権限を変えてください。</translation>
     </message>
     <message>
@@ -3035,7 +3035,7 @@
         <translation>書き込めませんでした。空きを作るか、別のフォルダーを選んでください。</translation>
     </message>
     <message>
-        <source>it does not keep {}{} of {}: use one of PatchMill's own posts.</source>
+        <source>it does not keep {}{} of {}: use one of PatchMill&apos;s own posts.</source>
         <translation>{2} の {0}{1} が保たれません。PatchMill のポストを使ってください。</translation>
     </message>
     <message>
@@ -3047,7 +3047,7 @@
         <translation>失敗しました ({})。別のポストプロセッサを使ってください。</translation>
     </message>
     <message>
-        <source>it failed in a way that FreeCAD's report view tells.</source>
+        <source>it failed in a way that FreeCAD&apos;s report view tells.</source>
         <translation>失敗しました。FreeCAD のレポートビューに理由があります。</translation>
     </message>
     <message>
@@ -3063,7 +3063,7 @@
         <translation>移動がありません。再計算してください。</translation>
     </message>
     <message>
-        <source>it has no path: take it out of the job's operations.</source>
+        <source>it has no path: take it out of the job&apos;s operations.</source>
         <translation>経路がありません。ジョブの操作から外してください。</translation>
     </message>
     <message>
@@ -3115,7 +3115,7 @@
         <translation>LinuxCNC の設定ではありません。軸の記述がありません。</translation>
     </message>
     <message>
-        <source>it is no work offset of a control: choose G54 to G59.3 in the job's setup.</source>
+        <source>it is no work offset of a control: choose G54 to G59.3 in the job&apos;s setup.</source>
         <translation>制御装置のワークオフセットではありません。ジョブの設定で G54 から G59.3 を選んでください。</translation>
     </message>
     <message>
@@ -3139,7 +3139,7 @@
         <translation>二度あり、すべてが同じ場所で二度削られます。一度にしてください。</translation>
     </message>
     <message>
-        <source>it would change a texture's path, which is its timing: take it away.</source>
+        <source>it would change a texture&apos;s path, which is its timing: take it away.</source>
         <translation>テクスチャの経路を変えますが、経路はタイミングです。取り除いてください。</translation>
     </message>
     <message>
@@ -3183,7 +3183,7 @@
         <translation>開始位相は、プログラムごとに数え直す版で求めたものです。較正パッチを削り直してください。</translation>
     </message>
     <message>
-        <source>its start phase was found with the controller '{}', and it has '{}': mill a calibration patch anew.</source>
+        <source>its start phase was found with the controller &apos;{}&apos;, and it has &apos;{}&apos;: mill a calibration patch anew.</source>
         <translation>開始位相はツールコントローラー「{}」で求めましたが、今は「{}」です。較正パッチを削り直してください。</translation>
     </message>
     <message>
@@ -3191,7 +3191,7 @@
         <translation>工具がすでに傾いています。直立の経路を選んでください。</translation>
     </message>
     <message>
-        <source>leave its feed alone: a texture's feed is its timing.</source>
+        <source>leave its feed alone: a texture&apos;s feed is its timing.</source>
         <translation>送りはそのままにしてください。テクスチャの送りはタイミングです。</translation>
     </message>
     <message>
@@ -3199,7 +3199,7 @@
         <translation>区間を停止に合わせられるのは機械が止まる所だけです。イグザクトストップを使ってください。</translation>
     </message>
     <message>
-        <source>let the operation mill a face of the job's model.</source>
+        <source>let the operation mill a face of the job&apos;s model.</source>
         <translation>ジョブのモデルの面を削る操作にしてください。</translation>
     </message>
     <message>
@@ -3208,7 +3208,7 @@
     </message>
     <message>
         <source>live, choose the whole model.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lower limit above the upper one</source>
@@ -3248,7 +3248,7 @@
     </message>
     <message>
         <source>no Resources/machines</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no dimples</source>
@@ -3303,7 +3303,7 @@
         <translation>進入路がない</translation>
     </message>
     <message>
-        <source>none of its moves end on the texture's dimples.</source>
+        <source>none of its moves end on the texture&apos;s dimples.</source>
         <translation>テクスチャのディンプルで終わる移動がありません。</translation>
     </message>
     <message>
@@ -3312,7 +3312,7 @@
     </message>
     <message>
         <source>not Scanning</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>not computed</source>
@@ -3336,15 +3336,15 @@
     </message>
     <message>
         <source>other K or F words</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>other K or F words in line {}</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>other words G61 and G64</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>plan one for each of the {} dimples.</source>
@@ -3395,7 +3395,7 @@
         <translation>続けるコピーを指定してください。</translation>
     </message>
     <message>
-        <source>say which of the job's goes on.</source>
+        <source>say which of the job&apos;s goes on.</source>
         <translation>ジョブのどれを続けるか指定してください。</translation>
     </message>
     <message>
@@ -3416,14 +3416,14 @@
     </message>
     <message>
         <source>several motions</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>spindle-locked</source>
         <translation>主軸同期</translation>
     </message>
     <message>
-        <source>take only the posture from the voxel model: a texture's feed is its timing.</source>
+        <source>take only the posture from the voxel model: a texture&apos;s feed is its timing.</source>
         <translation>ボクセルモデルからは姿勢だけを使ってください。テクスチャの送りはタイミングです。</translation>
     </message>
     <message>
@@ -3439,7 +3439,7 @@
         <translation>機械 {} の制御装置は {} 桁です。--precision={} と同じ小数桁を指定してください。</translation>
     </message>
     <message>
-        <source>the direction is parallel to the texture's x axis: choose another one.</source>
+        <source>the direction is parallel to the texture&apos;s x axis: choose another one.</source>
         <translation>方向がテクスチャの x 軸と平行です。別の方向を選んでください。</translation>
     </message>
     <message>
@@ -3475,7 +3475,7 @@
         <translation>自由形は全体として削ります。{} を指定してください。</translation>
     </message>
     <message>
-        <source>the free form's marks overlap: choose so.</source>
+        <source>the free form&apos;s marks overlap: choose so.</source>
         <translation>自由形の痕は重なります。そのように選んでください。</translation>
     </message>
     <message>
@@ -3495,7 +3495,7 @@
         <translation>上限は {} GB です。{} mm 以上にするか、窓を小さくしてください。</translation>
     </message>
     <message>
-        <source>the machine file says that this controller cannot follow the spindle: use the feed-per-move strategy, or set the machine's spindle lock if it can.</source>
+        <source>the machine file says that this controller cannot follow the spindle: use the feed-per-move strategy, or set the machine&apos;s spindle lock if it can.</source>
         <translation>機械ファイルでは、この制御装置は主軸に追従できません。移動ごとの送りの方式を使うか、できるなら機械の主軸同期を有効にしてください。</translation>
     </message>
     <message>
@@ -3623,7 +3623,7 @@
         <translation>姿勢が収束しません (残差 {})。別の大きさを試してください。</translation>
     </message>
     <message>
-        <source>the program does not call the tool's length: use another post-processor.</source>
+        <source>the program does not call the tool&apos;s length: use another post-processor.</source>
         <translation>プログラムが工具長を呼び出しません。別のポストプロセッサを使ってください。</translation>
     </message>
     <message>
@@ -3671,7 +3671,7 @@
         <translation>主軸が回る必要があります。Forward か Reverse にしてください。</translation>
     </message>
     <message>
-        <source>the strategy '{}' needs a machine file.</source>
+        <source>the strategy &apos;{}&apos; needs a machine file.</source>
         <translation>方式「{}」には機械ファイルが必要です。</translation>
     </message>
     <message>
@@ -3724,7 +3724,7 @@
     </message>
     <message>
         <source>the upper corner must not lie below the lower one, nor too far from it.</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the voxels lie from {} to {} mm.</source>
@@ -3739,7 +3739,7 @@
         <translation>そのようなファイルは作れません。別の名前にしてください。</translation>
     </message>
     <message>
-        <source>there is no object '{}' with a shape: {}</source>
+        <source>there is no object &apos;{}&apos; with a shape: {}</source>
         <translation>形状のあるオブジェクト「{}」がありません: {}</translation>
     </message>
     <message>
@@ -3763,7 +3763,7 @@
         <translation>見るディンプルが必要です。</translation>
     </message>
     <message>
-        <source>this FreeCAD posts the tool bit's: set both alike.</source>
+        <source>this FreeCAD posts the tool bit&apos;s: set both alike.</source>
         <translation>この FreeCAD は工具ビットの値をポストします。両方を同じにしてください。</translation>
     </message>
     <message>
@@ -3807,7 +3807,7 @@
         <translation>名前には英数字、ピリオド、ハイフン、下線を使ってください。</translation>
     </message>
     <message>
-        <source>what a tool of kind '{}' leaves is not known: give 0.</source>
+        <source>what a tool of kind &apos;{}&apos; leaves is not known: give 0.</source>
         <translation>種類「{}」の工具の削り残しは分かりません。0 を指定してください。</translation>
     </message>
     <message>
@@ -3819,11 +3819,11 @@
         <translation>TCP なしの傾斜ヘッドには、基準点から先端までの長さが必要です。</translation>
     </message>
     <message>
-        <source>work offsets are the job's: choose it in the job's setup, and take it out here.</source>
+        <source>work offsets are the job&apos;s: choose it in the job&apos;s setup, and take it out here.</source>
         <translation>ワークオフセットはジョブのものです。ジョブの設定で選び、ここから取り除いてください。</translation>
     </message>
     <message>
-        <source>work offsets are the job's: choose it in the job's setup, and take the operation out.</source>
+        <source>work offsets are the job&apos;s: choose it in the job&apos;s setup, and take the operation out.</source>
         <translation>ワークオフセットはジョブのものです。ジョブの設定で選び、操作を外してください。</translation>
     </message>
     <message>
@@ -3863,7 +3863,7 @@
         <translation>{} に主軸に追従するブロックはありません。移動ごとの送りか一定送りを使ってください。</translation>
     </message>
     <message>
-        <source>{} has no such work offset: choose {} in the job's setup.</source>
+        <source>{} has no such work offset: choose {} in the job&apos;s setup.</source>
         <translation>{} にそのワークオフセットはありません。ジョブの設定で {} を選んでください。</translation>
     </message>
     <message>
@@ -3940,11 +3940,11 @@
     </message>
     <message>
         <source>{} s, r = D dt / dx^2 = {}</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} sags and {} normals</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} stops between patches</source>
@@ -3956,7 +3956,7 @@
     </message>
     <message>
         <source>{} turns at {} rpm: take the word out, and give the operation</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} turns take the tool {} mm, and dimple {} is {} mm away: give at least {} ExtraTurns.</source>
@@ -3967,19 +3967,19 @@
         <translation>{} にはボールエンドミルを使います。選んでください。</translation>
     </message>
     <message>
-        <source>{} writes it as it is: use letters and digits, or one of PatchMill's own posts.</source>
+        <source>{} writes it as it is: use letters and digits, or one of PatchMill&apos;s own posts.</source>
         <translation>{} はそのまま書きます。英数字か PatchMill のポストを使ってください。</translation>
     </message>
     <message>
         <source>{} x {} with {} values</source>
-        <translation type="unfinished" />
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: repair the shape.</source>
         <translation>{}。形状を直してください。</translation>
     </message>
     <message>
-        <source>{}: use one of PatchMill's own posts.</source>
+        <source>{}: use one of PatchMill&apos;s own posts.</source>
         <translation>{}。PatchMill のポストを使ってください。</translation>
     </message>
     <message>
@@ -3999,11 +3999,11 @@
         <translation>軸の記述がありません。FreeCAD の機械ファイルを指定してください。</translation>
     </message>
     <message>
-        <source>set the machine to metric units in FreeCAD's machine editor.</source>
+        <source>set the machine to metric units in FreeCAD&apos;s machine editor.</source>
         <translation>FreeCAD の機械エディターで機械をメートル単位にしてください。</translation>
     </message>
     <message>
-        <source>Accelerations are not in the file: {} mm/s² was taken. Give those of the machine, from which follows what a texture's timing can be.</source>
+        <source>Accelerations are not in the file: {} mm/s² was taken. Give those of the machine, from which follows what a texture&apos;s timing can be.</source>
         <translation>加速度はファイルにありません。{} mm/s² としました。テクスチャのタイミングはこれで決まるので、機械の値を指定してください。</translation>
     </message>
     <message>
@@ -4255,15 +4255,15 @@
         <translation>工具に刃数を指定してください：切りくず厚さはそれで決まります。</translation>
     </message>
     <message>
-        <source>how a tool of kind '{}' cuts is not known: choose another tool.</source>
-        <translation>種類 '{}' の工具の切削のしかたは不明です：別の工具を選んでください。</translation>
+        <source>how a tool of kind &apos;{}&apos; cuts is not known: choose another tool.</source>
+        <translation>種類 &apos;{}&apos; の工具の切削のしかたは不明です：別の工具を選んでください。</translation>
     </message>
     <message>
-        <source>it is to lie along the rotary axis {}: turn the job's model.</source>
+        <source>it is to lie along the rotary axis {}: turn the job&apos;s model.</source>
         <translation>回転軸 {} に沿っている必要があります：ジョブのモデルを回してください。</translation>
     </message>
     <message>
-        <source>its axis is to be the rotary axis {}, which goes through ({}, {}, {}) mm of the work: move the job's model, or tell the machine file's work_zero_mm.</source>
+        <source>its axis is to be the rotary axis {}, which goes through ({}, {}, {}) mm of the work: move the job&apos;s model, or tell the machine file&apos;s work_zero_mm.</source>
         <translation>その軸は回転軸 {} と一致している必要があり、回転軸は加工物の ({}, {}, {}) mm を通ります：ジョブのモデルを動かすか、機械ファイルの work_zero_mm を指定してください。</translation>
     </message>
     <message>
@@ -4283,7 +4283,7 @@
         <translation>複数の円筒</translation>
     </message>
     <message>
-        <source>the tool's tip stands at Z {} mm: give more.</source>
+        <source>the tool&apos;s tip stands at Z {} mm: give more.</source>
         <translation>工具の先端は Z {} mm にあります：より大きな値を指定してください。</translation>
     </message>
     <message>
@@ -4381,15 +4381,15 @@ X {}  Y {}  Z {} {}
         <translation>幅 {} mm のディンプルの一部が互いに重なります。</translation>
     </message>
     <message>
-        <source>a ball's lattice is milled from outside: choose another Mapping.</source>
+        <source>a ball&apos;s lattice is milled from outside: choose another Mapping.</source>
         <translation>球の格子は外側から加工します。別のマッピングを選んでください。</translation>
     </message>
     <message>
-        <source>a ball's lattice is that of one: choose its faces alone.</source>
+        <source>a ball&apos;s lattice is that of one: choose its faces alone.</source>
         <translation>球の格子は一つの球のものです。その面だけを選んでください。</translation>
     </message>
     <message>
-        <source>a ball's lattice lies on a spherical face: choose one, or another Mapping.</source>
+        <source>a ball&apos;s lattice lies on a spherical face: choose one, or another Mapping.</source>
         <translation>球の格子は球面上にあります。球面か別のマッピングを選んでください。</translation>
     </message>
     <message>
@@ -4401,7 +4401,7 @@ X {}  Y {}  Z {} {}
         <translation>投影、面に沿う、球のいずれかを指定してください。</translation>
     </message>
     <message>
-        <source>give less than the tool's diameter, {} mm, and the ball's.</source>
+        <source>give less than the tool&apos;s diameter, {} mm, and the ball&apos;s.</source>
         <translation>工具の直径 {} mm と球の直径より小さくしてください。</translation>
     </message>
     <message>
@@ -4432,12 +4432,12 @@ X {}  Y {}  Z {} {}
         <source>A ball of diameter {} reaches {:.0f} % of the faces.</source>
         <translation>直径 {} のボールは面の {:.0f} % に届きます。</translation>
     </message>
-<message>
+    <message>
         <source>the mesh {}</source>
         <translation>メッシュ {}</translation>
     </message>
     <message>
-        <source>it has no faces for a job. In FreeCAD's Python console patchmill.mesh_texture makes a program for it.</source>
+        <source>it has no faces for a job. In FreeCAD&apos;s Python console patchmill.mesh_texture makes a program for it.</source>
         <translation>ジョブに使える面がありません。FreeCAD の Python コンソールで patchmill.mesh_texture がプログラムを作ります。</translation>
     </message>
     <message>
@@ -4619,7 +4619,7 @@ X {}  Y {}  Z {} {}
         <translation>校正パッチ</translation>
     </message>
     <message>
-        <source>One patch whose best dimple tells the machine's start phase</source>
+        <source>One patch whose best dimple tells the machine&apos;s start phase</source>
         <translation>最良のディンプルから機械の開始位相がわかるパッチ</translation>
     </message>
 </context>
@@ -4717,7 +4717,7 @@ X {}  Y {}  Z {} {}
 <context>
     <name>PatchMill_InstallCore</name>
     <message>
-        <source>Install PatchMill's core …</source>
+        <source>Install PatchMill&apos;s core …</source>
         <translation>PatchMill のコアをインストール …</translation>
     </message>
     <message>
