@@ -48,31 +48,6 @@ class RunsInTheBackground(unittest.TestCase):
         self.assertTrue(driver.wait(lambda: not self.work.busy and gc.isenabled(), 60))
         driver.rest(0.05)
 
-    def test_what_is_told_meanwhile_arrives_before_the_end_and_not_of_a_cancelled_job(self):
-        came, go_on = [], threading.Event()
-        self.work.told.connect(lambda value: came.append((value, self.work.busy)))
-        self.work.finished.connect(lambda value: came.append((value, self.work.busy)))
-
-        def work(_):
-            self.work.tell("first")
-            go_on.wait(60.0)
-            self.work.tell("second")
-            return "end"
-
-        self.work.start(work)
-        self.assertTrue(driver.wait(lambda: came, 60))
-        self.assertEqual(came, [("first", True)])
-        go_on.set()
-        self.settle()
-        self.assertEqual(came[1:], [("second", True), ("end", False)])
-        go_on.clear()
-        self.work.start(work)
-        self.assertTrue(driver.wait(lambda: len(came) == 4, 60))
-        self.work.cancel()
-        go_on.set()
-        self.settle()
-        self.assertEqual(came[3:], [("first", True)])
-
     def test_cycles_are_freed_in_the_gui_thread(self):
         freed = []
         for _ in range(50):

@@ -111,24 +111,6 @@ class SearchEffort(unittest.TestCase):
         self.assertEqual([once(plan), once(plan)], [None, None])
         self.assertEqual(len(made), 2)
 
-    def test_each_remedy_is_told_when_it_is_found_the_best_first(self):
-        given, told = self.given((quality_parts.plate(20.0, 8.0, 6.0), "Face6")), []
-        short, good = (
-            remedies.Remedy(kind, {}, replace(GOOD, milled_fraction=part))
-            for kind, part in (("leave out", 0.5), ("incline", 1.0))
-        )
-
-        class Finder(remedies.Finder):
-            def _tries(self, *_):
-                return [lambda: short, lambda: None, lambda: good], []
-
-            def _assessed(self, _):
-                return None
-
-        found = Finder(one_click.assess, one_click.choose).find(given, tell=told.append)
-        self.assertEqual(told, [[short], [good, short]])
-        self.assertEqual(found, [good, short])
-
     def test_a_margin_that_leaves_nothing_takes_no_narrower_one_away(self):
         """Of the margins beside walls the first that is clear stays, though none is good."""
         given = self.given((quality_parts.plate(20.0), "Face6"))

@@ -38,11 +38,11 @@ def _assess_and_draw(planned, others, model, progress):
     return sides.with_others(assess, found, planned.asked, others), displays
 
 
-def _find_help(finder, given, progress, tell):
+def _find_help(finder, given, progress):
     """(Remedies, (least radius of the faces' hollows, that of the ball) [mm] if it does not fit or None,
     room.too_narrow where nothing helps at this spacing or None, whether walls are in the way,
-    room.short_reach where no remedy is good), or None if cancelled. `tell`: as Finder.find takes it."""
-    found = finder.find(given, progress, tell)
+    room.short_reach where no remedy is good), or None if cancelled."""
+    found = finder.find(given, progress)
     if found is None:
         return None
     radius = room.ball_too_large(given)
@@ -77,7 +77,6 @@ class Advising(QtCore.QObject):
         self.looking.failed.connect(self._failed)
         self.assessing.finished.connect(self._assessed)
         self.assessing.failed.connect(self._failed)
-        self.helping.told.connect(self.head.offer)
         self.helping.finished.connect(self._helped)
         self.notes = list(getattr(obj.Proxy, "notes", ()))
         self._placed = self._planned = self._before = self._choice = self._chosen_for = None
@@ -205,7 +204,7 @@ class Advising(QtCore.QObject):
         self.head.note(translate("PatchMill", "Looking for what helps …"))
         before, model = self._as_before(), apply.model_of(self.obj, self._model_texts)
         finder = remedies.Finder(assess, choose, free, can_incline, chosen or None, before, model)
-        self.helping.start(lambda progress: _find_help(finder, given, progress, self.helping.tell))
+        self.helping.start(lambda progress: _find_help(finder, given, progress))
 
     def _helped(self, made):
         found, radii, strip, walls, reach = made or (None, None, None, False, [])

@@ -45,11 +45,11 @@ class Head(QtGui.QFrame):
         layout.setSpacing(3)
         layout.addWidget(self.bar)
         layout.addWidget(self.text)
+        layout.addWidget(self.hint)
         self.fixes = QtGui.QVBoxLayout()
         self.fixes.setSpacing(2)
         layout.addLayout(self.fixes)
-        layout.addWidget(self.hint)  # below the buttons, which it does not move when it goes
-        self.buttons, self._offered = [], []
+        self.buttons = []
         self._place_soon = one_shot(self._place)
         self.state = None
         self._area = self._form = self._margins = None
@@ -100,38 +100,26 @@ class Head(QtGui.QFrame):
         self._say(RED, sentence)
 
     def note(self, sentence):
-        """A sentence below all; none if it is empty."""
+        """A sentence below the numbers; none if it is empty."""
         self.hint.setText(sentence)
         self.hint.setVisible(bool(sentence))
         self._place()
 
     def offer(self, remedies):
-        """Buttons for remedies.Remedy that were tried, in that order. Those that are there stay, and where
-        the pointer is on one of them new ones come below, until it leaves."""
-        self._offered = remedies
-        made = {button.remedy: button for button in self.buttons}
-        for gone in [made.pop(remedy) for remedy in made.keys() - set(remedies)]:
-            gone.deleteLater()
-            gone.hide()
-        wanted = [made.get(remedy) or self._button(remedy) for remedy in remedies]
-        if any(button.underMouse() for button in made.values()):
-            wanted = [*made.values(), *(button for button in wanted if button.remedy not in made)]
-        for place, button in enumerate(wanted):
-            self.fixes.insertWidget(place, button)
-        self.buttons = wanted
+        """Buttons for remedies.Remedy that were tried."""
+        for button in self.buttons:
+            button.deleteLater()
+            button.hide()
+        self.buttons = []
+        for remedy in remedies:
+            button = WrappingButton(remedy_text(remedy))
+            button.setObjectName("Fix" + remedy.kind.title().replace(" ", ""))
+            button.broken.connect(self._place_soon.start)
+            button.setToolTip(translate("PatchMill", "Tried: this is what it gives"))
+            button.clicked.connect(lambda *_, chosen=remedy: self.taken.emit(chosen))
+            self.fixes.addWidget(button)
+            self.buttons.append(button)
         self._place()
-
-    def _button(self, remedy):
-        button = WrappingButton(remedy_text(remedy))
-        button.remedy = remedy
-        button.setObjectName("Fix" + remedy.kind.title().replace(" ", ""))
-        button.broken.connect(self._place_soon.start)
-        button.setToolTip(translate("PatchMill", "Tried: this is what it gives"))
-        button.clicked.connect(lambda *_, chosen=remedy: self.taken.emit(chosen))
-        return button
-
-    def leaveEvent(self, _):
-        self.offer(self._offered)  # the best may stand first now
 
     def pin(self, form):
         """Puts the head on top of the scroll area of FreeCAD's panel that holds `form`; its view then begins

@@ -56,11 +56,10 @@ def _give_way():
 
 
 class Background(QtCore.QObject):
-    """Signals, all in the GUI thread: `progressed(share, seconds left)`, `told(value)` of what the work gave
-    tell(), `finished(result)`, `failed(exception)`. A cancelled job gives none of the last three."""
+    """Signals, all in the GUI thread: `progressed(share, seconds left)`, `finished(result)`,
+    `failed(exception)`. A cancelled job gives none of the last two."""
 
     progressed = QtCore.Signal(float, float)
-    told = QtCore.Signal(object)
     finished = QtCore.Signal(object)
     failed = QtCore.Signal(object)
     _arrived = QtCore.Signal(int, str, object)
@@ -71,7 +70,6 @@ class Background(QtCore.QObject):
         self._spare = 0 if brief else 1
         self._number = 0
         self._running = 0
-        self._own = threading.local()  # the number of the job that a thread runs
         self._arrived.connect(self._deliver, QtCore.Qt.QueuedConnection)
 
     def start(self, work):
@@ -87,17 +85,12 @@ class Background(QtCore.QObject):
         self._number += 1
         self._running = 0
 
-    def tell(self, value):
-        """For the work, in its thread: `told` comes with a value."""
-        self._arrived.emit(self._own.number, "told", value)
-
     @property
     def busy(self):
         return self._running != 0
 
     def _run(self, work, number):
         _give_way()
-        self._own.number = number
         began = last = time.monotonic()
 
         def progress(share):
@@ -122,13 +115,12 @@ class Background(QtCore.QObject):
             self._arrived.emit(number, "finished", result)
 
     def _deliver(self, number, what, value):
-        if what in ("finished", "failed"):
+        if what != "progressed":
             _threads.ended(self)
         if number != self._number:
             return
         if what == "progressed":
             self.progressed.emit(*value)
             return
-        if what != "told":
-            self._running = 0
+        self._running = 0
         getattr(self, what).emit(value)

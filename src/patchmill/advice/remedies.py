@@ -27,7 +27,7 @@ MOST = 0.75  # of what the best makes good: what leaves only good dimples is bet
 ENOUGH = 2  # good remedies, after which dearer ones are not tried
 
 
-@dataclass(eq=False)
+@dataclass
 class Remedy:
     """`kind`: values, incline, lean, along, finer, lay, leave out, sides, ball (a smaller one, with values
     that suit). `fields`: of a TextureInput; `axis` and `angle` [degrees]: how the part is turned about its
@@ -57,59 +57,53 @@ class Finder:
         self.walls = False  # whether a tool would have run into the part
 
     @stoppable
-    def find(self, given, progress=None, tell=None):
+    def find(self, given, progress=None):
         """The Remedies that were tried and help, the best first; None if `progress` (fraction -> bool)
-        returned False. `tell` is called with those that are known, the best first, when one more is."""
+        returned False."""
         normals, areas = orientation.face_normals(given)
         if not len(normals):
             return []
-        found: list[Remedy] = []
-
-        def note(remedy):
-            found.append(remedy)
-            if tell:
-                tell(self._in_order(given, found))
-
         now, reached = self._assessed(given), orientation.reached_fraction(normals, areas)
-        faces = normals, areas, reached
-        if not self._look(given, faces, now, progress, note):
-            return None
-        if not any(remedy.assessment.good for remedy in found):
-            for ball in room.smaller_balls(given, self.walls) if self.free else ():
-                if not self._look(given, faces, now, progress, note, ball):
-                    return None
-                if any(remedy.assessment.good for remedy in found):
-                    break
+        found = self._found(given, (normals, areas, reached), now, progress)
+        if found is None or any(remedy.assessment.good for remedy in found):
+            return found and self._in_order(given, found)
+        for fields in room.smaller_balls(given, self.walls) if self.free else ():
+            asked = replace(given, **fields)
+            more = self._found(asked, (normals, areas, reached), now, progress, another_ball=True)
+            if more is None:
+                return None
+            found += [replace(remedy, fields={**fields, **remedy.fields}) for remedy in more]
+            if any(remedy.assessment.good for remedy in more):
+                break
         return self._in_order(given, found)
 
-    def _look(self, given, faces, now, progress, note, ball=None):
-        """Calls `note` with each Remedy for a TextureInput that helps beside the Assessment `now`; False if
-        `progress` returned False. `faces`: normals, areas, and what one setup reaches; `ball`: fields of
-        another ball than the user's."""
+    def _found(self, given, faces, now, progress, another_ball=False):
+        """Remedies for a TextureInput that help beside the Assessment `now`; None if `progress` returned
+        False. `faces`: normals, areas, and what one setup reaches; `another_ball`: the user's has another."""
         normals, areas, reached = faces
-        given = replace(given, **(ball or {}))
         first, last = self._tries(given, normals, areas, WORTH_TRYING * reached)
         if reached < GOOD_FRACTION:
             first.insert(0, lambda: self._by_sides(given))
-        if ball:
+        if another_ball:
             first.insert(0, lambda: self._chosen_for(given, "ball", {}))
         elif now is not None and now.touches:
             first.insert(0, lambda: self._beside_walls(given, Remedy("values", {}, now)))
-        slow, fast = self._slow_strategies(given), 0
+        found: list[Remedy] = []
+        slow = self._slow_strategies(given)
         for number, attempt in enumerate(first + last):
             if not progress(number / len(first + last)):
-                return False
-            if fast >= (ENOUGH if number < len(first) else 1):
+                return None
+            enough = ENOUGH if number < len(first) else 1
+            good = (one for one in found if is_enough(one.assessment, reached))
+            if sum(one.fields.get("strategy", given.strategy) not in slow for one in good) >= enough:
                 break
             try:
                 remedy = attempt()
             except InputError:
                 continue
             if remedy is not None and is_better(remedy.assessment, now):
-                enough = is_enough(remedy.assessment, reached)
-                fast += enough and remedy.fields.get("strategy", given.strategy) not in slow
-                note(replace(remedy, fields={**ball, **remedy.fields}) if ball else remedy)
-        return True
+                found.append(remedy)
+        return found
 
     def _in_order(self, given, found):
         """Remedies, the best first."""
