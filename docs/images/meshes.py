@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "host"))
 import _patchmill as core  # noqa: E402
 import patchmill  # noqa: E402
-from test_meshes import block_of, mesh_of, wavy_face, write_stl  # noqa: E402
+from meshes_made import block_of, mesh_of, wavy_face, write_stl  # noqa: E402
 
 LIGHT = np.array([-0.5, 0.4, 0.77])
 
